@@ -1,0 +1,27 @@
+// What Suture throws: bad input, and a broken invariant of our own.
+#pragma once
+
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+namespace suture {
+
+/// Input that cannot be used. The message says what is wrong, where, and what to do. Exit code 2.
+class InvalidInput : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// An invariant of Suture broke in `stage`; the mesh is the one before. Exit code 3.
+class InternalFailure : public std::runtime_error {
+ public:
+  InternalFailure(std::string stage, const std::string& what)
+      : std::runtime_error(stage + ": " + what), stage_(std::move(stage)) {}
+  const std::string& stage() const { return stage_; }
+
+ private:
+  std::string stage_;
+};
+
+}  // namespace suture

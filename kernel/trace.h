@@ -1,0 +1,30 @@
+// Progress and timing that the library reports to whoever listens; nobody need listen.
+#pragma once
+
+#include <chrono>
+#include <string_view>
+
+namespace suture {
+
+/// Told of each stage as it ends. Pass null where nobody listens.
+class Trace {
+ public:
+  virtual ~Trace() = default;
+  virtual void stage_ended(std::string_view stage, double seconds) = 0;
+};
+
+/// Seconds since it was made or last read. Only ever reported, never used to decide.
+class Stopwatch {
+ public:
+  double lap() {
+    const auto now = std::chrono::steady_clock::now();
+    const double seconds = std::chrono::duration<double>(now - start_).count();
+    start_ = now;
+    return seconds;
+  }
+
+ private:
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+}  // namespace suture

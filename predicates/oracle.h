@@ -1,0 +1,63 @@
+// The decisions that surgery asks for: signs of input doubles against the shifted lattice, and
+// nothing else.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+
+#include "kernel/triangles.h"
+
+namespace suture {
+
+enum class Arithmetic { filtered, rational };
+
+/// How often each decision was asked, and how often its floating-point filter could not decide.
+struct OracleCounts {
+  std::uint64_t edge_side = 0, triangle_side = 0, orientation = 0, filter_failures = 0;
+};
+
+/// A line of the lattice seen along its own axis: the point (u + ε_u, v + ε_v) of the plane of two
+/// axes.
+struct LatticePoint2 {
+  int u_axis, v_axis;  ///< two different axes, in either order
+  double u, v;         ///< planes of the lattice on those axes, exactly
+};
+
+/// Signs, exact unless a backend says otherwise. The lattice stands at (ε₀, ε₁, ε₂) from where its
+/// doubles say, ε₀ ≫ ε₁ ≫ ε₂ > 0 (Simulation of Simplicity), axis 0 shifted most; mesh points stay.
+/// Only mesh vertices' doubles and lattice planes are ever passed, never a constructed point's
+/// exact self.
+class Oracle {
+ public:
+  virtual ~Oracle() = default;
+
+  /// Side of the directed segment p→q, projected to (u,v) axes, that the lattice point is on:
+  /// sign of (q_u−p_u)(v+ε_v−p_v) − (q_v−p_v)(u+ε_u−p_u); +1 left (counter-clockwise), −1 right,
+  /// 0 only where p and q project to one point.
+  virtual int edge_side(const Point& p, const Point& q, const LatticePoint2& at) const = 0;
+
+  /// Side of the triangle's plane that the shifted node is on: sign of N·(node+ε−a) with
+  /// N = (b−a)×(c−a); +1 where N points, 0 only where N is zero.
+  virtual int triangle_side(const Point& a, const Point& b, const Point& c,
+                            const Point& node) const = 0;
+
+  /// Sign of N·(d−a), N = (b−a)×(c−a): no shift, 0 where the four are coplanar.
+  virtual int orientation(const Point& a, const Point& b, const Point& c, const Point& d) const = 0;
+
+  const OracleCounts& counts() const { return counts_; }
+  void reset_counts() { counts_ = {}; }
+
+ protected:
+  mutable OracleCounts counts_;
+};
+
+/// Floating-point filter with a proven error bound, exact where it cannot decide. The default.
+std::unique_ptr<Oracle> make_filtered_oracle();
+
+/// GMP rationals with concrete shifts 2^-6000, 2^-12000, 2^-18000 in place of symbols: slow, and
+/// shares no code with the filtered one.
+std::unique_ptr<Oracle> make_rational_oracle();
+
+std::unique_ptr<Oracle> make_oracle(Arithmetic arithmetic);
+
+}  // namespace suture

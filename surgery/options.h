@@ -1,0 +1,63 @@
+// Everything a user can choose about the tracker, with its default and its reason.
+#pragma once
+
+#include <filesystem>
+
+#include "kernel/triangles.h"
+#include "predicates/oracle.h"
+
+namespace suture {
+
+/// Which topology changes are allowed [§5.3]: deep cells inside the material merge, outside they
+/// split.
+enum class Events { none, merge, split, both };
+
+/// Which complex cells start a region: only deep ones [§5.3], or each of them (Figure 4 compares).
+enum class CellTest { deep, plain };
+
+/// What becomes of type 2 vertices once the surface is closed [§6.1 step 3].
+enum class Collapse { straighten, keep };
+
+/// Where the fill's own vertices go along their lattice edge [§6.1 step 5].
+enum class Placement {
+  distance_field,  ///< the zero of D between its two nodes, as the paper does
+  crossing         ///< the exact point where the mesh passes from outside to inside
+};
+
+/// Where subdivision puts a new vertex [§6.2].
+enum class Subdivision {
+  midpoint,  ///< flattens curved surfaces a little each time
+  curved     ///< on the cubic that the edge's end points and normals define
+};
+
+/// Mesh improvement [§6.2]. Lengths are in the scene's unit.
+struct QualityOptions {
+  double edge_length = 0;      ///< the length aimed at; 0: the cell size of the tracker
+  double longest = 1.5;        ///< edges above longest × edge_length are subdivided
+  double shortest = 0.4;       ///< edges below shortest × edge_length are collapsed
+  double smallest_angle = 15;  ///< degrees; a triangle with a smaller angle is bad
+  double largest_angle = 150;  ///< degrees; a triangle with a larger angle is bad
+  double feature_angle = 40;   ///< degrees between normals; a sharper edge is a feature and is kept
+  bool keep_features = true;   ///< off: features may be rounded by collapses and flips
+  double volume_bound = 1e-3;  ///< × edge_length³: the most volume that one operation may move
+  double turn_bound = 60;      ///< degrees: the most a triangle's normal may turn in one operation
+  int passes = 3;  ///< sweeps of subdivide, collapse, flip; ends early when nothing is left
+  Subdivision subdivision = Subdivision::midpoint;
+};
+
+struct TrackerOptions {
+  double cell_size = 0;          ///< edge of a topology cell; must be set
+  Point origin = Point::Zero();  ///< a node of the lattice, so that the lattice stays put in space
+  Events events = Events::both;
+  CellTest cell_test = CellTest::deep;
+  int depth = 1;  ///< whole cells that a deep cell is away from the isosurface, >= 0
+  Collapse collapse = Collapse::straighten;
+  Placement placement = Placement::distance_field;
+  Arithmetic arithmetic = Arithmetic::filtered;
+  double straighten_turn = 60;  ///< degrees: the most a normal may turn when a type 2 vertex goes
+  QualityOptions quality;
+  std::filesystem::path
+      reproducers;  ///< folder for meshes of failed surgeries; empty: none is saved
+};
+
+}  // namespace suture

@@ -1,0 +1,17 @@
+// Mesh improvement: subdivide, collapse, flip, within the rules [§6.2].
+#pragma once
+
+#include "surgery/collapse_rules.h"
+#include "surgery/options.h"
+#include "surgery/report.h"
+
+namespace suture {
+
+/// Improves `mesh` in place until no edge is too long or short and no triangle is bad, or nothing
+/// more is allowed, or options.passes have run. The result is closed and manifold where the input
+/// is; garbage is collected, and the report maps old vertices to new ones. Deterministic. \pre
+/// options.edge_length > 0; rules.lattice and rules.oracle both set or both null
+QualityReport improve(Mesh& mesh, const QualityOptions& options, const Lattice* lattice,
+                      const Oracle* oracle);
+
+}  // namespace suture

@@ -1,0 +1,18 @@
+// Type 2 vertices are collapsed after the surface is closed, so nothing can gridlock [§6.1 step 3].
+#pragma once
+
+#include <vector>
+
+#include "surgery/collapse_rules.h"
+#include "surgery/report.h"
+
+namespace suture {
+
+/// Collapses each of `type2` onto a neighbour that is type 1 or, failing that, another type 2
+/// vertex, so that the region's boundary runs straight between type 1 vertices; tried again as long
+/// as some collapse succeeds. What no rule allows stays, and is counted. Deterministic; garbage is
+/// left in place.
+CollapseCounts straighten(Mesh& mesh, const std::vector<Mesh::Vertex_index>& type2,
+                          const std::vector<Mesh::Vertex_index>& type1, const CollapseRules& rules);
+
+}  // namespace suture

@@ -1,0 +1,51 @@
+// The tracker: a closed surface that moves, splits and merges. All that simulators see [§3].
+#pragma once
+
+#include <functional>
+#include <memory>
+
+#include "kernel/trace.h"
+#include "kernel/triangles.h"
+#include "surgery/options.h"
+#include "surgery/report.h"
+
+namespace suture {
+
+/// u(x, t): velocity at a point and a time, in the scene's units.
+using VelocityField = std::function<Point(const Point&, double)>;
+
+/// Owns the surface. Each call either does what it says or leaves the surface as it was.
+class Tracker {
+ public:
+  /// \throw InvalidInput unless `surface` is a closed, oriented, edge- and vertex-manifold, finite,
+  /// non-empty triangle mesh and the options are in range
+  Tracker(Triangles surface, const TrackerOptions& options);
+  ~Tracker();
+  Tracker(Tracker&&) noexcept;
+  Tracker& operator=(Tracker&&) noexcept;
+
+  const Triangles& surface() const;
+  const TrackerOptions& options() const;
+  double time() const;
+
+  /// Moves every vertex along u by the classic Runge–Kutta method of order 4, from time() to
+  /// time()+dt [§4]. \throw InvalidInput if a vertex would become infinite or NaN; the surface then
+  /// stays
+  void advect(const VelocityField& u, double dt);
+
+  /// Gives every vertex a new position, in the order of surface().positions, and adds dt to time().
+  /// \throw InvalidInput if the count differs or a position is not finite; the surface then stays
+  void displace(std::vector<Point> positions, double dt = 0);
+
+  /// Finds where topology should change and re-samples the surface there, and only there [§5, §6].
+  SurgeryReport remodel(Trace* trace = nullptr);
+
+  /// Subdivides, collapses and flips until edges and angles are as options().quality asks [§6.2].
+  QualityReport improve(Trace* trace = nullptr);
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace suture
