@@ -89,6 +89,28 @@ Refusal judge(const LocalChange& change, const CollapseRules& rules) {
   return Refusal::none;
 }
 
+void count_refusal(CollapseCounts& counts, Refusal refusal) {
+  switch (refusal) {
+    case Refusal::none:
+      break;
+    case Refusal::link:
+      ++counts.refused_link;
+      break;
+    case Refusal::normal:
+      ++counts.refused_normal;
+      break;
+    case Refusal::node:
+      ++counts.refused_node;
+      break;
+    case Refusal::volume:
+      ++counts.refused_volume;
+      break;
+    case Refusal::feature:
+      ++counts.refused_feature;
+      break;
+  }
+}
+
 LocalChange collapse_change(const Mesh& mesh, Mesh::Halfedge_index h, const Point& to) {
   LocalChange change;
   const auto add_star = [&](Mesh::Vertex_index v, bool first) {

@@ -4,6 +4,7 @@
 #include <boost/container/small_vector.hpp>
 
 #include "surgery/collapse_rules.h"
+#include "surgery/report.h"
 
 namespace suture {
 
@@ -31,6 +32,9 @@ double volume_moved(const LocalChange& change);
 
 /// The first of the rules on normals, nodes and volume that the change breaks.
 Refusal judge(const LocalChange& change, const CollapseRules& rules);
+
+/// One more refused for that reason; nothing for `none`.
+void count_refusal(CollapseCounts& counts, Refusal refusal);
 
 /// The change that collapses the source of `h` onto its target and puts that at `to`.
 LocalChange collapse_change(const Mesh& mesh, Mesh::Halfedge_index h, const Point& to);

@@ -7,6 +7,14 @@
 
 namespace suture {
 
+/// A feature smaller than this many times the shortest edge is below what the mesh resolves: it may
+/// go if no other way is left to be rid of a short edge. Without it, creases that a flow folds into
+/// the mesh would pile up for ever.
+inline constexpr double kFeatureScale = 0.5;
+
+/// A triangle lower than this × edge_length counts as a sliver, whose normal says nothing.
+inline constexpr double kSliverHeight = 1e-3;
+
 /// What the sweeps share: the mesh, the limits in the scene's unit, and the counts.
 struct Improvement {
   Mesh& mesh;
@@ -19,9 +27,9 @@ struct Improvement {
 
 /// Extent and shape of a triangle, all that decides whether it is bad.
 struct Shape {
-  double smallest_sine;   ///< of its smallest angle; 0 without area
-  double largest_cosine;  ///< of its largest angle; -1 without area
-  int longest, shortest;  ///< edges, from corner i to i + 1
+  double smallest_sine = 0;       ///< of its smallest angle; 0 without area
+  double largest_cosine = -1;     ///< of its largest angle; -1 without area
+  int longest = 0, shortest = 0;  ///< edges, from corner i to i + 1
 };
 Shape shape_of(const Corners& t);
 
@@ -30,9 +38,13 @@ bool is_bad(const Shape& shape, const Improvement& improvement);
 /// The halfedge of `f` from its corner i to i + 1, corners as corners() gives them.
 Mesh::Halfedge_index halfedge_of(const Mesh& mesh, Mesh::Face_index f, int i);
 
-double length_of(const Mesh& mesh, Mesh::Halfedge_index h);
+Shape shape_of(const Mesh& mesh, Mesh::Face_index f);
 
-void count_refusal(CollapseCounts& counts, Refusal refusal);
+/// Smallest sine of any angle of the triangles before, or after.
+double worst_before(const LocalChange& change);
+double worst_after(const LocalChange& change);
+
+double length_of(const Mesh& mesh, Mesh::Halfedge_index h);
 
 /// Splits the edge of `h` at `at` and the two triangles beside it. \return the new vertex
 Mesh::Vertex_index split_edge(Mesh& mesh, Mesh::Halfedge_index h, const Point& at);

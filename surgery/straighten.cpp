@@ -78,17 +78,6 @@ class Straightening {
   std::priority_queue<Candidate, std::vector<Candidate>, std::greater<>> queue_;
 };
 
-void count_refusal(CollapseCounts& counts, Refusal refusal) {
-  switch (refusal) {
-    case Refusal::none: ++counts.delayed; break;
-    case Refusal::link: ++counts.refused_link; break;
-    case Refusal::normal: ++counts.refused_normal; break;
-    case Refusal::node: ++counts.refused_node; break;
-    case Refusal::volume: ++counts.refused_volume; break;
-    case Refusal::feature: ++counts.refused_feature; break;
-  }
-}
-
 }  // namespace
 
 CollapseCounts straighten(Mesh& mesh, const std::vector<Mesh::Vertex_index>& type2,
@@ -98,7 +87,11 @@ CollapseCounts straighten(Mesh& mesh, const std::vector<Mesh::Vertex_index>& typ
   Straightening work(mesh, type2, type1, rules);
   work.run(counts);
   for (const auto v : type2)
-    if (!mesh.is_removed(v)) count_refusal(counts, work.last_refusal(v));
+    if (!mesh.is_removed(v)) {
+      const Refusal refusal = work.last_refusal(v);
+      if (refusal == Refusal::none) ++counts.delayed;
+      count_refusal(counts, refusal);
+    }
   return counts;
 }
 
