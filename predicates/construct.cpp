@@ -8,6 +8,7 @@
 #include <cmath>
 #include <limits>
 
+#include "kernel/errors.h"
 #include "kernel/lattice.h"
 #include "predicates/ball.h"
 #include "predicates/dyadic.h"
@@ -33,7 +34,10 @@ PlaneOverLine<Number> plane_over_line(const std::array<Number, 3>& s,
 }
 
 /// The double nearest to numerator / denominator · 2^exponent, ties to even.
+/// \throw InternalFailure if the denominator is zero: an oracle said that these two cross
 double nearest(mpz_class numerator, mpz_class denominator, int exponent) {
+  if (denominator == 0)
+    throw InternalFailure("construct", "asked where two parallel elements cross");
   constexpr int kDigits = std::numeric_limits<double>::digits;
   constexpr int kFinest = std::numeric_limits<double>::min_exponent - kDigits;
   const bool negative = sgn(numerator) * sgn(denominator) < 0;
