@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "kernel/triangles.h"
 
@@ -18,7 +19,8 @@ struct Audit {
   std::size_t misoriented_edges = 0;      ///< two triangles that run along it the same way
   std::size_t non_manifold_vertices = 0;  ///< whose triangles are more than one fan
   std::size_t isolated_vertices = 0;
-  std::string first;  ///< the first fault, in words with its element's index
+  std::string first;                ///< the first fault, in words with its element's index
+  std::vector<std::string> faults;  ///< one sentence a kind: count, first place, what to do
 
   bool closed() const { return border_edges == 0; }
   bool oriented() const { return misoriented_edges == 0; }
