@@ -1,0 +1,65 @@
+// Bodies that move rigidly, and share their momentum once they have merged.
+#include "sims/flows/bodies.h"
+
+#include <Eigen/Geometry>
+#include <cmath>
+
+#include "kernel/measures.h"
+#include "sims/flows/vertex_values.h"
+
+namespace suture {
+namespace {
+
+class BodiesMotion : public Motion {
+ public:
+  BodiesMotion(std::vector<Point> velocities, double relaxation)
+      : velocities_(std::move(velocities)), relaxation_(relaxation) {}
+
+  void advance(Tracker& tracker, double dt) override {
+    const Triangles& surface = tracker.surface();
+    relax(surface, 1 - std::exp(-dt / relaxation_));
+    std::vector<Point> positions = surface.positions;
+    for (std::size_t v = 0; v < positions.size(); ++v) positions[v] += dt * velocities_[v];
+    tracker.displace(std::move(positions), dt);
+  }
+
+  void surface_changed(const Triangles& surface,
+                       const std::vector<std::uint32_t>& vertex_map) override {
+    velocities_ = carried(velocities_, Point(Point::Zero()), surface, vertex_map);
+  }
+
+ private:
+  void relax(const Triangles& surface, double share) {
+    const Components parts = components(surface);
+    std::vector<Point> momentum(parts.count, Point::Zero());
+    std::vector<double> mass(parts.count, 0.0);
+    std::vector<std::uint32_t> part_of(surface.positions.size(), kNone);
+    for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
+      const auto& [a, b, c] = surface.triangles[t];
+      const auto& x = surface.positions;
+      const double area = (x[b] - x[a]).cross(x[c] - x[a]).norm();
+      const std::uint32_t part = parts.of_triangle[t];
+      mass[part] += 3 * area;
+      for (const std::uint32_t v : {a, b, c}) {
+        momentum[part] += area * velocities_[v];
+        part_of[v] = part;
+      }
+    }
+    for (std::size_t v = 0; v < velocities_.size(); ++v) {
+      const std::uint32_t part = part_of[v];
+      if (part == kNone || !(mass[part] > 0)) continue;
+      velocities_[v] += share * (momentum[part] / mass[part] - velocities_[v]);
+    }
+  }
+
+  std::vector<Point> velocities_;
+  double relaxation_;
+};
+
+}  // namespace
+
+std::unique_ptr<Motion> make_bodies_motion(std::vector<Point> velocities, double relaxation) {
+  return std::make_unique<BodiesMotion>(std::move(velocities), relaxation);
+}
+
+}  // namespace suture

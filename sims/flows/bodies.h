@@ -1,0 +1,14 @@
+// Bodies that move rigidly, and share their momentum once they have merged.
+#pragma once
+
+#include "sims/flows/motion.h"
+
+namespace suture {
+
+/// Every vertex has a velocity of its own, at first its body's; so bodies move rigidly and into
+/// each other. Within a connected component velocities relax towards their mean, weighted by area,
+/// with the time constant `relaxation`: what has merged comes to move as one. \param velocities one
+/// for each vertex of the tracker's surface
+std::unique_ptr<Motion> make_bodies_motion(std::vector<Point> velocities, double relaxation);
+
+}  // namespace suture

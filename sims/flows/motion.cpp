@@ -1,0 +1,151 @@
+// The motions by name, with their parameters and the ranges these may have.
+#include "sims/flows/motion.h"
+
+#include <array>
+
+#include "kernel/errors.h"
+#include "sims/flows/bodies.h"
+#include "sims/flows/fields.h"
+#include "sims/flows/mean_curvature.h"
+#include "sims/flows/normal_flow.h"
+
+namespace suture {
+namespace {
+
+class FieldMotion : public Motion {
+ public:
+  explicit FieldMotion(VelocityField field) : field_(std::move(field)) {}
+  void advance(Tracker& tracker, double dt) override { tracker.advect(field_, dt); }
+
+ private:
+  VelocityField field_;
+};
+
+/// A motion whose new positions follow from the surface and the time step alone.
+class SurfaceMotion : public Motion {
+ public:
+  using Step = std::function<std::vector<Point>(const Triangles&, double dt)>;
+  explicit SurfaceMotion(Step step) : step_(std::move(step)) {}
+  void advance(Tracker& tracker, double dt) override {
+    tracker.displace(step_(tracker.surface(), dt), dt);
+  }
+
+ private:
+  Step step_;
+};
+
+using Velocities = std::vector<Point>;
+using MotionPtr = std::unique_ptr<Motion>;
+
+MotionPtr make_rest(Keys&, const Velocities&) {
+  return std::make_unique<SurfaceMotion>(
+      [](const Triangles& surface, double) { return surface.positions; });
+}
+
+MotionPtr make_rotation(Keys& keys, const Velocities&) {
+  RotationParameters p;
+  p.centre = keys.vector("centre", p.centre);
+  p.axis = keys.vector("axis", p.axis);
+  p.rate = keys.number("rate", Range::any(), p.rate);
+  return make_field_motion(rotation(p));
+}
+
+MotionPtr make_enright(Keys& keys, const Velocities&) {
+  constexpr std::array<Named<EnrightVariant>, 2> variants = {
+      {{"leveque", EnrightVariant::leveque}, {"eltopo", EnrightVariant::eltopo}}};
+  EnrightParameters p;
+  p.variant = keys.choice("variant", variants, p.variant);
+  p.period = keys.number("period", Range::above(0), p.period);
+  return make_field_motion(enright(p));
+}
+
+MotionPtr make_curl_noise(Keys& keys, const Velocities&) {
+  CurlNoiseParameters p;
+  p.seed = static_cast<std::uint64_t>(keys.integer("seed", Range::at_least(0), 1));
+  p.waves = static_cast<int>(keys.integer("waves", Range::between(1, 10000), p.waves));
+  p.wavelength = keys.number("wavelength", Range::above(0), p.wavelength);
+  p.speed = keys.number("speed", Range::any(), p.speed);
+  p.period = keys.number("period", Range::at_least(0), p.period);
+  p.centre = keys.vector("centre", p.centre);
+  p.radius = keys.number("radius", Range::at_least(0), p.radius);
+  return make_field_motion(curl_noise(p));
+}
+
+MotionPtr make_stretch(Keys& keys, const Velocities&) {
+  StretchParameters p;
+  p.centre = keys.vector("centre", p.centre);
+  p.axis = keys.vector("axis", p.axis);
+  p.rate = keys.number("rate", Range::any(), p.rate);
+  p.width = keys.number("width", Range::at_least(0), p.width);
+  return make_field_motion(stretch(p));
+}
+
+MotionPtr make_fold(Keys& keys, const Velocities&) {
+  FoldParameters p;
+  p.centre = keys.vector("centre", p.centre);
+  p.axis = keys.vector("axis", p.axis);
+  p.up = keys.vector("up", p.up);
+  p.rate = keys.number("rate", Range::any(), p.rate);
+  p.amplitude = keys.number("amplitude", Range::any(), p.amplitude);
+  p.wavelength = keys.number("wavelength", Range::above(0), p.wavelength);
+  return make_field_motion(fold(p));
+}
+
+MotionPtr make_normal_flow(Keys& keys, const Velocities&) {
+  const double speed = keys.number("speed", Range::any(), 1);
+  return std::make_unique<SurfaceMotion>(
+      [speed](const Triangles& surface, double dt) { return normal_flow(surface, speed * dt); });
+}
+
+MotionPtr make_mean_curvature(Keys& keys, const Velocities&) {
+  const double rate = keys.number("rate", Range::above(0), 1);
+  return std::make_unique<SurfaceMotion>([rate](const Triangles& surface, double dt) {
+    return mean_curvature_flow(surface, rate * dt);
+  });
+}
+
+MotionPtr make_bodies(Keys& keys, const Velocities& velocities) {
+  return make_bodies_motion(velocities, keys.number("relaxation", Range::above(0), 1));
+}
+
+struct Maker {
+  const char* name;
+  MotionPtr (*make)(Keys&, const Velocities&);
+};
+constexpr std::array<Maker, 9> kMakers = {{{"bodies", make_bodies},
+                                           {"curl_noise", make_curl_noise},
+                                           {"enright", make_enright},
+                                           {"fold", make_fold},
+                                           {"mean_curvature", make_mean_curvature},
+                                           {"normal_flow", make_normal_flow},
+                                           {"rest", make_rest},
+                                           {"rotation", make_rotation},
+                                           {"stretch", make_stretch}}};
+
+}  // namespace
+
+std::unique_ptr<Motion> make_field_motion(VelocityField field) {
+  return std::make_unique<FieldMotion>(std::move(field));
+}
+
+std::vector<std::string> motion_names() {
+  std::vector<std::string> names;
+  for (const Maker& maker : kMakers) names.emplace_back(maker.name);
+  return names;
+}
+
+std::unique_ptr<Motion> make_motion(const std::string& kind, Keys& keys,
+                                    const std::vector<Point>& velocities) {
+  for (const Maker& maker : kMakers) {
+    if (kind != maker.name) continue;
+    MotionPtr motion = maker.make(keys, velocities);
+    keys.done();
+    return motion;
+  }
+  const std::string near = nearest_name(kind, motion_names());
+  throw InvalidInput("there is no motion \"" + kind + "\"" +
+                     (near.empty() ? "" : "; did you mean \"" + near + "\"?") + "; there are " +
+                     joined(motion_names()));
+}
+
+}  // namespace suture

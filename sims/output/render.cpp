@@ -1,0 +1,293 @@
+// A surface drawn to a PNG file by VTK, in a context of EGL's that needs no display.
+#include "sims/output/render.h"
+
+// GLEW must come before any other header of OpenGL's.
+#include <GL/glew.h>
+
+#include <EGL/egl.h>
+#include <EGL/eglext.h>
+#include <vtkActor.h>
+#include <vtkCamera.h>
+#include <vtkCellArray.h>
+#include <vtkCellData.h>
+#include <vtkClipPolyData.h>
+#include <vtkFloatArray.h>
+#include <vtkGenericOpenGLRenderWindow.h>
+#include <vtkImageData.h>
+#include <vtkImageResize.h>
+#include <vtkLight.h>
+#include <vtkNew.h>
+#include <vtkObjectFactory.h>
+#include <vtkPNGWriter.h>
+#include <vtkPlane.h>
+#include <vtkPointData.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+#include <vtkPolyDataMapper.h>
+#include <vtkPolyDataNormals.h>
+#include <vtkProperty.h>
+#include <vtkRenderStepsPass.h>
+#include <vtkRenderer.h>
+#include <vtkSSAOPass.h>
+#include <vtkUnsignedCharArray.h>
+#include <vtkWindowToImageFilter.h>
+#include <Eigen/Geometry>
+
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+
+#include "kernel/errors.h"
+
+namespace suture {
+namespace {
+
+// Drawn this many times larger on each axis and shrunk again, which smooths edges.
+constexpr int kOversampling = 2;
+constexpr int kLargestSide = 8192;  // pixels drawn on a side; what software renderers allow
+
+/// An OpenGL context without window or display, current for as long as it lives.
+class Context {
+ public:
+  Context() {
+    display_ = eglGetPlatformDisplay(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr);
+    EGLint major = 0, minor = 0, found = 0;
+    if (display_ == EGL_NO_DISPLAY || eglInitialize(display_, &major, &minor) == EGL_FALSE)
+      fail("EGL cannot be started without a display");
+    constexpr EGLint wanted[] = {EGL_SURFACE_TYPE, EGL_PBUFFER_BIT, EGL_RENDERABLE_TYPE,
+                                 EGL_OPENGL_BIT, EGL_NONE};
+    EGLConfig config = nullptr;
+    constexpr EGLint version[] = {EGL_CONTEXT_MAJOR_VERSION, 3, EGL_CONTEXT_MINOR_VERSION, 2,
+                                  EGL_NONE};
+    if (eglBindAPI(EGL_OPENGL_API) == EGL_FALSE ||
+        eglChooseConfig(display_, wanted, &config, 1, &found) == EGL_FALSE || found == 0)
+      fail("EGL offers no OpenGL here");
+    context_ = eglCreateContext(display_, config, EGL_NO_CONTEXT, version);
+    if (context_ == EGL_NO_CONTEXT ||
+        eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, context_) == EGL_FALSE)
+      fail("EGL has no OpenGL 3.2 here");
+  }
+  Context(const Context&) = delete;
+  Context& operator=(const Context&) = delete;
+  ~Context() { close(); }
+
+ private:
+  [[noreturn]] void fail(const std::string& what) {
+    close();
+    throw std::runtime_error("cannot draw: " + what +
+                             "; install libegl-mesa0 and libgl1-mesa-dri, or leave pictures out");
+  }
+  void close() {
+    if (display_ == EGL_NO_DISPLAY) return;
+    eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
+    if (context_ != EGL_NO_CONTEXT) eglDestroyContext(display_, context_);
+    eglTerminate(display_);
+  }
+
+  EGLDisplay display_ = EGL_NO_DISPLAY;
+  EGLContext context_ = EGL_NO_CONTEXT;
+};
+
+/// VTK's window for a foreign context. GLEW looks for X after it has found every function, and its
+/// complaint that there is none must not stop VTK.
+class Window : public vtkGenericOpenGLRenderWindow {
+ public:
+  static Window* New();
+  vtkTypeMacro(Window, vtkGenericOpenGLRenderWindow)
+
+      void OpenGLInitContext() override {
+    ContextCreationTime.Modified();
+    if (Initialized) return;
+    const GLenum result = glewInit();
+    GlewInitValid = result == GLEW_OK || result == GLEW_ERROR_NO_GLX_DISPLAY;
+    Initialized = true;
+  }
+};
+vtkStandardNewMacro(Window);
+
+vtkSmartPointer<vtkPolyData> to_poly_data(const Triangles& surface,
+                                          const TriangleColours& colours) {
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  points->Allocate(static_cast<vtkIdType>(surface.positions.size()));
+  for (const Point& p : surface.positions) points->InsertNextPoint(p.data());
+  vtkNew<vtkCellArray> cells;
+  for (const Triangle& t : surface.triangles) cells->InsertNextCell({t[0], t[1], t[2]});
+  auto data = vtkSmartPointer<vtkPolyData>::New();
+  data->SetPoints(points);
+  data->SetPolys(cells);
+  if (!colours.empty()) {
+    vtkNew<vtkUnsignedCharArray> bytes;
+    bytes->SetNumberOfComponents(3);
+    for (const Eigen::Vector3f& c : colours)
+      bytes->InsertNextTuple3(255 * c[0], 255 * c[1], 255 * c[2]);
+    data->GetCellData()->SetScalars(bytes);
+  }
+  return data;
+}
+
+/// Feature-aware normals, then the cut.
+vtkSmartPointer<vtkPolyData> prepared(vtkPolyData* data, const PictureOptions& options) {
+  vtkNew<vtkPolyDataNormals> normals;
+  normals->SetInputData(data);
+  normals->SetFeatureAngle(options.feature_angle);
+  normals->SplittingOn();
+  normals->ConsistencyOff();
+  normals->Update();
+  if (!options.cut) return normals->GetOutput();
+  vtkNew<vtkPlane> plane;
+  plane->SetOrigin(options.cut->point.data());
+  plane->SetNormal(options.cut->normal.data());
+  vtkNew<vtkClipPolyData> clip;
+  clip->SetInputConnection(normals->GetOutputPort());
+  clip->SetClipFunction(plane);
+  clip->InsideOutOn();
+  clip->Update();
+  return clip->GetOutput();
+}
+
+void add_surface(vtkRenderer* renderer, vtkPolyData* data, const PictureOptions& options) {
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputData(data);
+  vtkNew<vtkActor> actor;
+  actor->SetMapper(mapper);
+  vtkProperty* look = actor->GetProperty();
+  look->SetColor(0.87, 0.80, 0.69);
+  look->SetAmbient(0.22);
+  look->SetDiffuse(0.82);
+  look->SetSpecular(0.16);
+  look->SetSpecularPower(28);
+  if (options.edges) {
+    look->EdgeVisibilityOn();
+    look->SetEdgeColor(0.24, 0.25, 0.29);
+    look->SetLineWidth(static_cast<float>(kOversampling) * 0.7f);
+  }
+  // What is seen from behind is the inside of the material: only a cut shows it.
+  vtkNew<vtkProperty> inside;
+  inside->DeepCopy(look);
+  inside->SetColor(0.62, 0.29, 0.24);
+  actor->SetBackfaceProperty(inside);
+  renderer->AddActor(actor);
+}
+
+void add_light(vtkRenderer* renderer, const Point& from, double intensity, const Point& colour) {
+  vtkNew<vtkLight> light;
+  light->SetLightTypeToCameraLight();
+  light->SetPosition(from[0], from[1], from[2]);
+  light->SetFocalPoint(0, 0, 0);
+  light->SetIntensity(intensity);
+  light->SetColor(colour[0], colour[1], colour[2]);
+  renderer->AddLight(light);
+}
+
+/// A warm key from the upper left, a cool fill from the right, and a light from behind for the rim.
+void light_studio(vtkRenderer* renderer) {
+  renderer->AutomaticLightCreationOff();
+  add_light(renderer, {-0.7, 1.0, 0.9}, 0.78, {1.0, 0.97, 0.92});
+  add_light(renderer, {1.2, 0.15, 0.7}, 0.30, {0.84, 0.91, 1.0});
+  add_light(renderer, {0.2, 0.9, -1.2}, 0.35, {1.0, 1.0, 1.0});
+  renderer->SetBackground(0.90, 0.91, 0.925);
+  renderer->SetBackground2(0.985, 0.985, 0.99);
+  renderer->GradientBackgroundOn();
+}
+
+/// Points the camera and \return the radius of what it shows, in the scene's unit.
+double aim(vtkRenderer* renderer, const Box& box, const PictureOptions& options) {
+  const Point centre = (box.low + box.high) / 2;
+  const double half = (box.high - box.low).norm() / 2;
+  const double radius = half > 0 ? half : 1;
+  const Point direction = options.direction.normalized();
+  const double aspect = static_cast<double>(options.width) / options.height;
+  const double half_angle = options.view_angle * std::numbers::pi / 360;
+  const double narrow = std::atan(std::tan(half_angle) * std::min(1.0, aspect));
+  const double distance = radius / std::sin(narrow) / options.zoom;
+  vtkCamera* camera = renderer->GetActiveCamera();
+  camera->SetFocalPoint(centre.data());
+  const Point eye = centre - distance * direction;
+  camera->SetPosition(eye.data());
+  camera->SetViewUp(options.up.data());
+  camera->SetViewAngle(options.view_angle);
+  renderer->ResetCameraClippingRange();
+  return radius;
+}
+
+/// Corners darken with what hides them, which shows depth better than light alone.
+void shade_corners(vtkRenderer* renderer, double radius) {
+  vtkNew<vtkRenderStepsPass> steps;
+  vtkNew<vtkSSAOPass> shading;
+  shading->SetRadius(0.12 * radius);
+  shading->SetBias(0.0015 * radius);
+  shading->SetKernelSize(96);
+  shading->BlurOn();
+  shading->SetDelegatePass(steps);
+  renderer->SetPass(shading);
+}
+
+void check(const Triangles& surface, const TriangleColours& colours,
+           const PictureOptions& options) {
+  const int largest = kLargestSide / kOversampling;
+  if (options.width < 16 || options.height < 16 || options.width > largest ||
+      options.height > largest)
+    throw InvalidInput("a picture of " + std::to_string(options.width) + " × " +
+                       std::to_string(options.height) + " pixels cannot be drawn; give 16 to " +
+                       std::to_string(largest) + " on each side");
+  const Point across = options.direction.normalized().cross(options.up.normalized());
+  if (!across.allFinite() || !(across.norm() > 1e-6))
+    throw InvalidInput("the camera's direction and up must be two different directions");
+  if (!colours.empty() && colours.size() != surface.triangles.size())
+    throw InvalidInput("there must be one colour for each triangle, or none");
+}
+
+void write_png(vtkImageData* image, const std::filesystem::path& file) {
+  const std::filesystem::path temporary = file.string() + ".tmp";
+  vtkNew<vtkPNGWriter> writer;
+  writer->SetInputData(image);
+  writer->SetFileName(temporary.c_str());
+  writer->Write();
+  std::error_code error;
+  if (writer->GetErrorCode() == 0) std::filesystem::rename(temporary, file, error);
+  if (writer->GetErrorCode() != 0 || error) {
+    std::filesystem::remove(temporary, error);
+    throw InvalidInput(file.string() +
+                       ": the picture cannot be written; check that the folder "
+                       "exists and may be written to");
+  }
+}
+
+}  // namespace
+
+void render_png(const Triangles& surface, const TriangleColours& colours,
+                const PictureOptions& options, const std::filesystem::path& file) {
+  check(surface, colours, options);
+  const Context context;
+  vtkNew<Window> window;
+  window->SetOwnContext(0);
+  window->SetIsCurrent(true);
+  window->SetReadyForRendering(true);
+  window->SetOffScreenRendering(1);
+  window->SetMultiSamples(0);
+  window->SetSize(kOversampling * options.width, kOversampling * options.height);
+  vtkNew<vtkRenderer> renderer;
+  window->AddRenderer(renderer);
+  light_studio(renderer);
+  const bool empty = surface.triangles.empty();
+  if (!empty) {
+    add_surface(renderer, prepared(to_poly_data(surface, colours), options), options);
+    const Box box = options.fit ? *options.fit : bounding_box(surface.positions);
+    shade_corners(renderer, aim(renderer, box, options));
+  }
+  window->Render();
+  vtkNew<vtkWindowToImageFilter> grab;
+  grab->SetInput(window);
+  grab->ReadFrontBufferOff();
+  grab->ShouldRerenderOff();
+  vtkNew<vtkImageResize> shrink;
+  shrink->SetInputConnection(grab->GetOutputPort());
+  shrink->SetResizeMethodToOutputDimensions();
+  shrink->SetOutputDimensions(options.width, options.height, 1);
+  shrink->Update();
+  write_png(shrink->GetOutput(), file);
+  window->Finalize();
+}
+
+}  // namespace suture
