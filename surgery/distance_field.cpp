@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <optional>
 
-#include "kernel/distance.h"
+#include "kernel/nearest_triangle.h"
 
 namespace suture {
 
