@@ -8,17 +8,32 @@
 
 namespace suture {
 
-Incidence incidence(const Triangles& surface) {
+namespace {
+
+/// Books triangle t at edge e, which holds at most two.
+void use_edge(Incidence& mesh, std::uint32_t e, std::uint32_t t) {
+  auto& at = mesh.edge_triangles[e];
+  if (at[1] != kNone)
+    throw InternalFailure("incidence", "edge " + std::to_string(mesh.edges[e][0]) + "-" +
+                                           std::to_string(mesh.edges[e][1]) +
+                                           " has a third triangle");
+  at[at[0] == kNone ? 0 : 1] = t;
+}
+
+}  // namespace
+
+Incidence incidence(const Triangles& surface, EdgeUse use) {
+  const bool manifold = use == EdgeUse::manifold;
   Incidence result;
   result.positions = surface.positions;
   result.triangles = surface.triangles;
   result.triangle_edges.resize(surface.triangles.size());
   result.edges.reserve(surface.triangles.size() * 3 / 2);
-  result.edge_triangles.reserve(surface.triangles.size() * 3 / 2);
+  if (manifold) result.edge_triangles.reserve(surface.triangles.size() * 3 / 2);
   // A vertex has half as many edges of which it is the lower end as it has edges: short lists.
   std::vector<std::uint32_t> first(surface.positions.size(), kNone), next;
   next.reserve(surface.triangles.size() * 3 / 2);
-  for (std::uint32_t t = 0; t < surface.triangles.size(); ++t) {
+  for (std::uint32_t t = 0; t < surface.triangles.size(); ++t)
     for (std::size_t k = 0; k < 3; ++k) {
       const auto [low, high] =
           std::minmax(surface.triangles[t][k], surface.triangles[t][(k + 1) % 3]);
@@ -27,18 +42,13 @@ Incidence incidence(const Triangles& surface) {
       if (e == kNone) {
         e = static_cast<std::uint32_t>(result.edges.size());
         result.edges.push_back({low, high});
-        result.edge_triangles.push_back({t, kNone});
+        if (manifold) result.edge_triangles.push_back({kNone, kNone});
         next.push_back(first[low]);
         first[low] = e;
-      } else if (result.edge_triangles[e][1] == kNone) {
-        result.edge_triangles[e][1] = t;
-      } else {
-        throw InternalFailure("incidence", "edge " + std::to_string(low) + "-" +
-                                               std::to_string(high) + " has a third triangle");
       }
+      if (manifold) use_edge(result, e, t);
       result.triangle_edges[t][k] = e;
     }
-  }
   for (const auto& [a, b] : result.edge_triangles)
     if (b == kNone)
       throw InternalFailure("incidence", "triangle " + std::to_string(a) + " has an open edge");

@@ -18,8 +18,11 @@ struct Incidence {
   std::vector<std::array<std::uint32_t, 2>> edge_triangles;  ///< the two triangles at it
 };
 
+/// What is asked of edges: two triangles at each, or any number (edge_triangles then stays empty).
+enum class EdgeUse { manifold, any };
+
 /// Edges are numbered in the order in which triangles meet them. Vertex and triangle indices stay.
-/// \pre every edge has exactly two triangles \throw InternalFailure if one has not
-Incidence incidence(const Triangles& surface);
+/// \throw InternalFailure if `use` is manifold and an edge has not exactly two triangles
+Incidence incidence(const Triangles& surface, EdgeUse use = EdgeUse::manifold);
 
 }  // namespace suture

@@ -1,17 +1,22 @@
 // The order of the paper's steps, and the transaction round them [§5, §6].
 #include "surgery/remodel.h"
 
+#include <CGAL/boost/graph/Euler_operations.h>
+
 #include <cmath>
 #include <numbers>
+#include <numeric>
 #include <optional>
 
 #include "kernel/audit.h"
 #include "kernel/errors.h"
 #include "kernel/measures.h"
+#include "surgery/coincident.h"
 #include "surgery/complex_cells.h"
 #include "surgery/cut.h"
 #include "surgery/deep_cells.h"
 #include "surgery/fill.h"
+#include "surgery/invariance.h"
 #include "surgery/placement.h"
 #include "surgery/region.h"
 #include "surgery/stitch.h"
@@ -64,7 +69,7 @@ std::vector<std::uint32_t> triangles_near(const Detected& d) {
 
 struct Candidate {
   Mesh mesh;
-  OriginMap origin;
+  Origins origins;
 };
 
 /// Cut, fill, stitch and straighten on a copy of the mesh.
@@ -85,9 +90,8 @@ Candidate operate(const Surface& surface, const Detected& d, Pieces pieces,
   clock.ended("fill");
 
   Candidate result{surface.mesh, {}};
-  result.origin = result.mesh.add_property_map<Mesh::Vertex_index, std::uint32_t>("v:origin").first;
-  for (const auto v : result.mesh.vertices()) result.origin[v] = v;
-  const StitchedVertices made = stitch(result.mesh, cut_mesh, patch, sites, result.origin);
+  result.origins = track_origins(result.mesh);
+  const StitchedVertices made = stitch(result.mesh, cut_mesh, patch, sites, result.origins);
   clock.ended("stitch");
 
   report.type1_vertices = made.type1.size();
@@ -120,10 +124,12 @@ std::optional<Region> detect_region(const Crossings& crossings, const Winding& w
   return region;
 }
 
-void measure_before(const Surface& surface, SurgeryReport& report) {
+Components measure_before(const Surface& surface, SurgeryReport& report) {
+  Components bodies = components(surface.triangles);
   report.volume_before = report.volume_after = volume(surface.triangles);
   report.euler_before = report.euler_after = euler_characteristic(surface.triangles);
-  report.components_before = report.components_after = components(surface.triangles).count;
+  report.components_before = report.components_after = bodies.count;
+  return bodies;
 }
 
 void measure_after(const Surface& surface, SurgeryReport& report) {
@@ -132,23 +138,48 @@ void measure_after(const Surface& surface, SurgeryReport& report) {
   report.components_after = components(surface.triangles).count;
 }
 
+/// What the audit has against a new surface; empty where it is closed, oriented, manifold and
+/// finite, and no winding outside the region has changed.
+std::string objection(const Surface& before, const Adopted& after, const Detected& d,
+                      const Oracle& oracle) {
+  const Audit result = audit(after.surface.triangles);
+  if (!result.closed_manifold()) return "audit: " + result.first;
+  const std::vector<Index3> changed =
+      changed_outside(difference(before.triangles, after.surface.triangles, after.triangle_origin,
+                                 after.vertex_map),
+                      d.lattice, oracle, d.region);
+  if (changed.empty()) return {};
+  // An inserted vertex is off its triangle by half a bit of each coordinate: a node that lies on
+  // the surface, or within a few bits of it, may find itself on the other side.
+  constexpr double kRounding = 0x1p-48;
+  const Box box = bounding_box(before.triangles.positions);
+  const double reach =
+      kRounding * std::max(box.low.cwiseAbs().maxCoeff(), box.high.cwiseAbs().maxCoeff());
+  const DistanceField distance(before.triangles, d.lattice, d.winding);
+  for (const Index3& node : changed)
+    if (!(std::abs(distance.at(node)) <= reach))
+      return "audit: the winding of node " + std::to_string(node[0]) + " " +
+             std::to_string(node[1]) + " " + std::to_string(node[2]) +
+             ", outside the region, has changed";
+  return {};
+}
+
 /// Merged pieces first; if the audit ever objects, once more cell by cell; then refusal.
 void attempt(Surface& surface, const Detected& d, const TrackerOptions& options,
              const Oracle& oracle, SurgeryReport& report, StageClock& clock) {
   for (const Pieces pieces : {Pieces::merged, Pieces::cell_by_cell}) {
     try {
       Candidate candidate = operate(surface, d, pieces, options, oracle, report, clock);
-      Surface adopted;
-      report.vertex_map = adopt(adopted, std::move(candidate.mesh), candidate.origin);
-      const Audit result = audit(adopted.triangles);
+      Adopted adopted = adopt(std::move(candidate.mesh), candidate.origins);
+      adopted.vertex_map.resize(surface.triangles.positions.size(), kNone);
+      report.failure = objection(surface, adopted, d, oracle);
       clock.ended("audit");
-      if (result.closed_manifold()) {
-        surface = std::move(adopted);
+      if (report.failure.empty()) {
+        surface = std::move(adopted.surface);
+        report.vertex_map = std::move(adopted.vertex_map);
         report.outcome = Outcome::committed;
-        report.failure.clear();
         return;
       }
-      report.failure = "audit: " + result.first;
     } catch (const InternalFailure& failure) {
       report.failure = failure.what();
     }
@@ -157,50 +188,82 @@ void attempt(Surface& surface, const Detected& d, const TrackerOptions& options,
   report.outcome = Outcome::refused;
 }
 
-}  // namespace
+/// Detection and, where it finds an event, surgery. \pre not empty
+void detect_and_operate(Surface& surface, const TrackerOptions& options, const Oracle& oracle,
+                        SurgeryReport& report, StageClock& clock) {
+  Incidence mesh = incidence(surface.triangles);
+  Lattice lattice = lattice_around(bounding_box(surface.triangles.positions), options.cell_size,
+                                   options.origin, options.depth + 3);
+  clock.ended("incidence");
+  Crossings crossings = find_crossings(mesh, lattice, oracle);
+  report.crossings = crossings.size();
+  clock.ended("crossings");
+  Winding winding(crossings);
+  clock.ended("winding");
+  std::optional<Region> region = detect_region(crossings, winding, options, report);
+  clock.ended("detection");
+  if (!region) return;
+  attempt(surface,
+          {std::move(mesh), std::move(lattice), std::move(crossings), std::move(winding),
+           std::move(*region)},
+          options, oracle, report, clock);
+}
 
-std::vector<std::uint32_t> adopt(
-    Surface& surface, Mesh&& mesh,
-    const Mesh::Property_map<Mesh::Vertex_index, std::uint32_t>& origin) {
-  std::uint32_t most = 0;
-  for (const auto v : mesh.vertices())
-    if (origin[v] != kNone) most = std::max(most, origin[v] + 1);
-  mesh.collect_garbage();
-  std::vector<std::uint32_t> map(most, kNone);
-  for (const auto v : mesh.vertices())
-    if (origin[v] != kNone) map[origin[v]] = v;
-  auto own = origin;
-  mesh.remove_property_map(own);
-  surface.triangles = to_triangles(mesh);
-  surface.mesh = std::move(mesh);
+std::vector<std::uint32_t> identity(std::size_t n) {
+  std::vector<std::uint32_t> map(n);
+  std::iota(map.begin(), map.end(), 0U);
   return map;
 }
+
+/// The surface without some of its triangles, whole components of them. \return old vertex → new
+std::vector<std::uint32_t> drop(const std::vector<std::uint32_t>& triangles, Surface& surface) {
+  surface.mesh.set_recycle_garbage(false);
+  const Origins origins = track_origins(surface.mesh);
+  for (const std::uint32_t t : triangles)
+    CGAL::Euler::remove_face(surface.mesh.halfedge(Mesh::Face_index(t)), surface.mesh);
+  const std::size_t vertices = surface.triangles.positions.size();
+  Adopted adopted = adopt(std::move(surface.mesh), origins);
+  surface = std::move(adopted.surface);
+  adopted.vertex_map.resize(vertices, kNone);
+  return std::move(adopted.vertex_map);
+}
+
+/// Remodels what is left once exact copies of bodies are gone, and commits both or neither.
+void operate_on_one_of_each(Surface& surface, const std::vector<std::uint32_t>& repeated,
+                            const TrackerOptions& options, const Oracle& oracle,
+                            SurgeryReport& report, StageClock& clock) {
+  Surface single = surface;
+  std::vector<std::uint32_t> map = drop(repeated, single);
+  clock.ended("coincident");
+  detect_and_operate(single, options, oracle, report, clock);
+  if (report.outcome == Outcome::refused) return;
+  if (report.outcome == Outcome::committed)
+    for (std::uint32_t& v : map) v = v == kNone ? kNone : report.vertex_map[v];
+  surface = std::move(single);
+  report.vertex_map = std::move(map);
+  report.coincident_triangles = repeated.size();
+  report.outcome = Outcome::committed;
+}
+
+}  // namespace
 
 SurgeryReport remodel(Surface& surface, const TrackerOptions& options, const Oracle& oracle,
                       Trace* trace) {
   SurgeryReport report;
-  StageClock clock(report, trace);
   const std::size_t vertices = surface.triangles.positions.size();
-  measure_before(surface, report);
+  if (surface.triangles.triangles.empty()) return report;  // all of the material has gone
+  StageClock clock(report, trace);
+  const Components bodies = measure_before(surface, report);
   clock.ended("measure");
   const OracleCounts asked = oracle.counts();
+  const bool merging = options.events == Events::merge || options.events == Events::both;
   try {
-    Incidence mesh = incidence(surface.triangles);
-    Lattice lattice = lattice_around(bounding_box(surface.triangles.positions), options.cell_size,
-                                     options.origin, options.depth + 3);
-    clock.ended("incidence");
-    Crossings crossings = find_crossings(mesh, lattice, oracle);
-    report.crossings = crossings.size();
-    clock.ended("crossings");
-    Winding winding(crossings);
-    clock.ended("winding");
-    std::optional<Region> region = detect_region(crossings, winding, options, report);
-    clock.ended("detection");
-    if (region)
-      attempt(surface,
-              {std::move(mesh), std::move(lattice), std::move(crossings), std::move(winding),
-               std::move(*region)},
-              options, oracle, report, clock);
+    const std::vector<std::uint32_t> repeated =
+        merging ? repeated_triangles(surface.triangles, bodies) : std::vector<std::uint32_t>{};
+    if (repeated.empty())
+      detect_and_operate(surface, options, oracle, report, clock);
+    else
+      operate_on_one_of_each(surface, repeated, options, oracle, report, clock);
   } catch (const InternalFailure& failure) {
     report.outcome = Outcome::refused;
     report.failure = failure.what();
@@ -210,12 +273,10 @@ SurgeryReport remodel(Surface& surface, const TrackerOptions& options, const Ora
                    now.orientation - asked.orientation,
                    now.filter_failures - asked.filter_failures};
   if (report.outcome == Outcome::committed) {
-    report.vertex_map.resize(vertices, kNone);
     measure_after(surface, report);
     clock.ended("measure");
   } else {
-    report.vertex_map.resize(vertices);
-    for (std::uint32_t v = 0; v < vertices; ++v) report.vertex_map[v] = v;
+    report.vertex_map = identity(vertices);
   }
   return report;
 }

@@ -44,6 +44,7 @@ struct SurgeryReport {
   std::size_t type1_vertices = 0, type2_vertices = 0, isosurface_vertices = 0,
               centroid_vertices = 0;
   std::size_t triangles_removed = 0, triangles_added = 0, loops = 0;
+  std::size_t coincident_triangles = 0;  ///< of bodies that were exact copies of others, dropped
   std::size_t split_triangles =
       0;                      ///< cut triangles whose pieces could not be merged into polygons
   std::size_t regrowths = 0;  ///< times the region grew after its first flood

@@ -19,7 +19,7 @@ std::vector<char> used_sites(const CutMesh& cut, const Patch& patch, const Sites
 }
 
 std::vector<Mesh::Vertex_index> add_vertices(Mesh& mesh, const Sites& sites,
-                                             const std::vector<char>& used, OriginMap& origin,
+                                             const std::vector<char>& used, Origins& origins,
                                              StitchedVertices& made) {
   std::vector<Mesh::Vertex_index> vertex(sites.all().size());
   for (std::size_t s = 0; s < vertex.size(); ++s) {
@@ -31,7 +31,7 @@ std::vector<Mesh::Vertex_index> add_vertices(Mesh& mesh, const Sites& sites,
       continue;
     }
     const auto v = mesh.add_vertex(to_cgal(site.position));
-    origin[v] = site.kind == SiteKind::corner ? site.source : kNone;
+    origins.vertex[v] = site.kind == SiteKind::corner ? site.source : kNone;
     if (site.kind == SiteKind::type1) made.type1.push_back(v);
     if (site.kind == SiteKind::type2) made.type2.push_back(v);
     if (site.kind == SiteKind::isosurface) made.isosurface.push_back(v);
@@ -42,22 +42,24 @@ std::vector<Mesh::Vertex_index> add_vertices(Mesh& mesh, const Sites& sites,
 
 void add_triangles(Mesh& mesh, const std::vector<Triangle>& triangles,
                    const std::vector<Mesh::Vertex_index>& vertex) {
-  for (const Triangle& t : triangles)
-    if (mesh.add_face(vertex[t[0]], vertex[t[1]], vertex[t[2]]) == Mesh::null_face())
+  for (const Triangle& t : triangles) {
+    const auto face = mesh.add_face(vertex[t[0]], vertex[t[1]], vertex[t[2]]);
+    if (face == Mesh::null_face())
       throw InternalFailure("stitch", "a triangle would make the mesh non-manifold");
+  }
 }
 
 }  // namespace
 
 StitchedVertices stitch(Mesh& mesh, const CutMesh& cut, const Patch& patch, const Sites& sites,
-                        OriginMap& origin) {
+                        Origins& origins) {
   // Recycling would hand a new vertex the index of a removed one, which a site may still name.
   mesh.set_recycle_garbage(false);
   for (const std::uint32_t t : cut.touched)
     CGAL::Euler::remove_face(mesh.halfedge(Mesh::Face_index(t)), mesh);
   StitchedVertices made;
   const std::vector<Mesh::Vertex_index> vertex =
-      add_vertices(mesh, sites, used_sites(cut, patch, sites), origin, made);
+      add_vertices(mesh, sites, used_sites(cut, patch, sites), origins, made);
   add_triangles(mesh, cut.kept, vertex);
   add_triangles(mesh, patch.triangles, vertex);
   return made;

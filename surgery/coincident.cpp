@@ -1,0 +1,78 @@
+// Components are compared as sets of coordinate triangles, by a sum of hashes first and exactly
+// then.
+#include "surgery/coincident.h"
+
+#include <algorithm>
+#include <bit>
+#include <map>
+
+namespace suture {
+
+namespace {
+
+using Coordinates = std::array<double, 9>;
+
+/// The triangle's coordinates, its least vertex first, so that numbering does not matter.
+Coordinates canonical(const Triangles& surface, const Triangle& t) {
+  std::array<std::array<double, 3>, 3> p;
+  for (std::size_t k = 0; k < 3; ++k)
+    for (std::size_t a = 0; a < 3; ++a)
+      p[k][a] = surface.positions[t[k]][static_cast<Eigen::Index>(a)] + 0.0;  // −0 is 0
+  std::rotate(p.begin(), std::min_element(p.begin(), p.end()), p.end());
+  Coordinates c;
+  for (std::size_t i = 0; i < 9; ++i) c[i] = p[i / 3][i % 3];
+  return c;
+}
+
+std::uint64_t hash(const Coordinates& c) {
+  std::uint64_t h = 0x9e3779b97f4a7c15ULL;
+  for (const double x : c) {
+    h = (h ^ std::bit_cast<std::uint64_t>(x)) * 0xff51afd7ed558ccdULL;
+    h ^= h >> 29;
+  }
+  return h;
+}
+
+using Members = std::vector<std::vector<std::uint32_t>>;
+
+std::vector<Coordinates> sorted(const Triangles& surface,
+                                const std::vector<std::uint32_t>& members) {
+  std::vector<Coordinates> all;
+  for (const std::uint32_t t : members) all.push_back(canonical(surface, surface.triangles[t]));
+  std::sort(all.begin(), all.end());
+  return all;
+}
+
+}  // namespace
+
+std::vector<std::uint32_t> repeated_triangles(const Triangles& surface,
+                                              const Components& components) {
+  Members members(components.count);
+  for (std::uint32_t t = 0; t < surface.triangles.size(); ++t)
+    members[components.of_triangle[t]].push_back(t);
+  std::map<std::size_t, std::vector<std::size_t>> by_size;
+  for (std::size_t c = 0; c < members.size(); ++c) by_size[members[c].size()].push_back(c);
+
+  std::vector<std::uint32_t> repeated;
+  for (const auto& [size, alike] : by_size) {
+    if (alike.size() < 2) continue;
+    std::map<std::uint64_t, std::vector<std::size_t>> firsts;
+    for (const std::size_t c : alike) {
+      std::uint64_t sum = 0;
+      for (const std::uint32_t t : members[c])
+        sum += hash(canonical(surface, surface.triangles[t]));
+      auto& candidates = firsts[sum];
+      const bool known = std::any_of(candidates.begin(), candidates.end(), [&](std::size_t first) {
+        return sorted(surface, members[first]) == sorted(surface, members[c]);
+      });
+      if (known)
+        repeated.insert(repeated.end(), members[c].begin(), members[c].end());
+      else
+        candidates.push_back(c);
+    }
+  }
+  std::sort(repeated.begin(), repeated.end());
+  return repeated;
+}
+
+}  // namespace suture

@@ -1,0 +1,22 @@
+// The last part of the audit: surgery must not change windings outside its region [§5.3].
+#pragma once
+
+#include "surgery/region.h"
+#include "surgery/winding.h"
+
+namespace suture {
+
+/// What surgery took out of the surface (reversed) and put in: a closed chain of triangles.
+/// \param kept for each triangle of `after`, the triangle of `before` that it is, or kNone
+/// \param vertex_map vertices of `before` to those of `after`, or kNone
+Triangles difference(const Triangles& before, const Triangles& after,
+                     const std::vector<std::uint32_t>& kept,
+                     const std::vector<std::uint32_t>& vertex_map);
+
+/// Nodes with a cell outside the region whose winding the difference changes, in a defined order:
+/// none but for nodes within rounding of the surface, since inserted vertices are rounded. \throw
+/// InternalFailure if the oracle contradicts itself
+std::vector<Index3> changed_outside(const Triangles& difference, const Lattice& lattice,
+                                    const Oracle& oracle, const Region& region);
+
+}  // namespace suture

@@ -1,0 +1,72 @@
+#include "tests/surgery/hostile.h"
+
+#include <catch2/catch.hpp>
+#include <set>
+
+#include "kernel/mesh_io.h"
+#include "tests/surgery/support.h"
+
+using namespace suture;
+
+namespace {
+
+/// Rounded type 1 and type 2 vertices leave their triangle by this much at most (inputs are within
+/// ±4).
+constexpr double kRounding = 1e-14;
+
+/// Windings at nodes that belong to a cell without change of mesh must be the same before and
+/// after.
+void check_windings_outside(const Triangles& before, const Triangles& after, double cell) {
+  Triangles both = before;
+  const auto offset = static_cast<std::uint32_t>(before.positions.size());
+  both.positions.insert(both.positions.end(), after.positions.begin(), after.positions.end());
+  for (Triangle t : after.triangles)
+    both.triangles.push_back({t[0] + offset, t[2] + offset, t[1] + offset});
+  const Scan difference = scan(both, cell);
+  CHECK(marches_agree(difference.winding));
+}
+
+std::string saved(const Triangles& surface, std::uint64_t seed) {
+  const std::string name = "hostile_" + std::to_string(seed) + ".ply";
+  write_triangles(name, surface);
+  return name;
+}
+
+/// Remodels, audits, remodels the output again. \return whether there was anything to do
+bool survive(std::uint64_t seed) {
+  const HostileCase c = HostileCases(seed).make();
+  Tracker tracker(c.surface, c.options);
+  bool operated = false;
+  for (int round = 0; round < 3; ++round) {
+    const Triangles before = tracker.surface();
+    const SurgeryReport report = tracker.remodel();
+    const Audit result = tracker.surface().triangles.empty() ? Audit{} : audit(tracker.surface());
+    const bool good = report.outcome != Outcome::refused && result.closed_manifold();
+    if (!good) {
+      CAPTURE(seed, round, report.failure, result.first, saved(before, seed));
+      CHECK(good);
+      return operated;
+    }
+    operated |= report.outcome == Outcome::committed;
+    if (report.outcome == Outcome::unchanged) {
+      CHECK(tracker.surface() == before);
+      break;
+    }
+    if (tracker.surface().triangles.empty()) break;
+  }
+  if (!tracker.surface().triangles.empty()) {
+    const Scan s = scan(tracker.surface(), c.options.cell_size);
+    CAPTURE(seed);
+    CHECK(marches_agree(s.winding));
+  }
+  return operated;
+}
+
+}  // namespace
+
+TEST_CASE("three thousand random and hostile surgeries each leave a closed manifold") {
+  int operated = 0;
+  for (std::uint64_t seed = 1; seed <= 3000; ++seed) operated += survive(seed) ? 1 : 0;
+  WARN(operated << " of 3000 inputs needed surgery");
+  CHECK(operated >= 2000);
+}
