@@ -26,14 +26,24 @@ bool holds(const Tracked& x) {
          x.ball.high == x.ball.high + x.ball.low;
 }
 
-/// A difference of doubles up to 2^±`reach`, or a product or quotient of two.
+Tracked sum_of(double x, double y) { return {exact_sum(x, y), mpq_class(x) + mpq_class(y)}; }
+
+Tracked full_length(Random& random) {
+  const double x = random.real();
+  return sum_of(x, std::ldexp(x * random.real(), -53));
+}
+
+/// A number of two doubles, up to 2^±`reach`: far apart, almost cancelled, or of full length.
 Tracked leaf(Random& random, int reach) {
   const auto number = [&] {
     const double x = random.real();
     return std::ldexp(x, random.between(-reach, reach));
   };
-  const double x = number(), y = random.below(4) ? number() : nudged(x, random.between(-3, 3));
-  return {exact_sum(x, -y), mpq_class(x) - mpq_class(y)};
+  const double x = number();
+  const int kind = random.below(4);
+  if (kind == 0) return sum_of(x, number());
+  if (kind == 1) return sum_of(x, nudged(-x, random.between(-3, 3)));
+  return full_length(random);
 }
 
 Tracked combined(int operation, const Tracked& x, const Tracked& y) {
@@ -71,6 +81,21 @@ TEST_CASE("a ball holds its exact number through eight operations of moderate si
 TEST_CASE("a ball holds its exact number, or is not finite, where exponents are extreme") {
   CHECK(broken_bounds(2'000, 150) == 0);
   CHECK(broken_bounds(1'000, 1000) == 0);
+}
+
+TEST_CASE("one operation on full-length numbers errs by less than a third of its bound") {
+  // Measured over 300,000: a quarter for products, less than an eighth for sums and quotients.
+  Random random(32);
+  int close = 0;
+  for (int i = 0; i < 50'000; ++i) {
+    const Tracked x = full_length(random), y = full_length(random);
+    for (int operation = 0; operation < 4; ++operation) {
+      Tracked result = combined(operation, x, y);
+      result.ball.error /= 3;
+      close += !holds(result);
+    }
+  }
+  CHECK(close == 0);
 }
 
 TEST_CASE("a ball's bound is small: about a hundred bits") {
