@@ -68,7 +68,8 @@ inline double nudged(double x, int steps) {
 /// Any finite double, its exponent as likely as any other; one in eight is zero.
 inline double any_double(Random& random) {
   if (random.below(8) == 0) return 0;
-  return std::ldexp(random.real(), random.between(-1074, 1024));
+  const int exponent = random.between(-1074, 1024);
+  return std::ldexp(random.real(), exponent);
 }
 
 using Points4 = std::array<Point, 4>;
