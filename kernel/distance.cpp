@@ -5,6 +5,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <string>
 
 #include "kernel/errors.h"
 #include "kernel/nearest_triangle.h"
@@ -20,6 +21,10 @@ std::vector<double> areas(const Triangles& surface) {
   std::vector<double> result;
   result.reserve(surface.triangles.size());
   for (const Triangle& t : surface.triangles) {
+    for (const std::uint32_t v : t)
+      if (v >= surface.positions.size())
+        throw InvalidInput("triangle " + std::to_string(result.size()) + " has the vertex " +
+                           std::to_string(v) + ", which does not exist; audit the surface first");
     const Point& a = surface.positions[t[0]];
     result.push_back((surface.positions[t[1]] - a).cross(surface.positions[t[2]] - a).stableNorm() /
                      2);
