@@ -1,0 +1,99 @@
+// Tiny surfaces for tests, built in code.
+#pragma once
+
+#include <bit>
+#include <cstring>
+
+#include "kernel/triangles.h"
+
+namespace suture {
+
+inline Triangles tetrahedron() {
+  return {{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}},
+          {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {0, 3, 2}}};
+}
+
+/// Twelve triangles round [low, high]³.
+inline Triangles cube(double low, double high) {
+  Triangles s;
+  for (int i = 0; i < 8; ++i)
+    s.positions.push_back({i & 1 ? high : low, i & 2 ? high : low, i & 4 ? high : low});
+  s.triangles = {{0, 2, 3}, {0, 3, 1}, {4, 5, 7}, {4, 7, 6}, {0, 1, 5}, {0, 5, 4},
+                 {2, 6, 7}, {2, 7, 3}, {0, 4, 6}, {0, 6, 2}, {1, 3, 7}, {1, 7, 5}};
+  return s;
+}
+
+/// n × n squares of an open height field, two triangles each, over the unit square.
+inline Triangles sheet(std::uint32_t n, double height = 0) {
+  Triangles s;
+  for (std::uint32_t j = 0; j <= n; ++j)
+    for (std::uint32_t i = 0; i <= n; ++i)
+      s.positions.push_back({double(i) / n, double(j) / n, height});
+  for (std::uint32_t j = 0; j < n; ++j)
+    for (std::uint32_t i = 0; i < n; ++i) {
+      const std::uint32_t v = j * (n + 1) + i;
+      s.triangles.push_back({v, v + 1, v + n + 2});
+      s.triangles.push_back({v, v + n + 2, v + n + 1});
+    }
+  return s;
+}
+
+inline Triangles joined(Triangles a, const Triangles& b) {
+  const auto shift = static_cast<std::uint32_t>(a.positions.size());
+  a.positions.insert(a.positions.end(), b.positions.begin(), b.positions.end());
+  for (const Triangle& t : b.triangles)
+    a.triangles.push_back({t[0] + shift, t[1] + shift, t[2] + shift});
+  return a;
+}
+
+inline Triangles turned(Triangles s) {
+  for (Triangle& t : s.triangles) std::swap(t[1], t[2]);
+  return s;
+}
+
+inline Triangles scaled(Triangles s, double factor) {
+  for (Point& p : s.positions) p *= factor;
+  return s;
+}
+
+/// Every triangle with vertices of its own.
+inline Triangles soup(const Triangles& s) {
+  Triangles loose;
+  for (const Triangle& t : s.triangles) {
+    const auto v = static_cast<std::uint32_t>(loose.positions.size());
+    for (const std::uint32_t i : t) loose.positions.push_back(s.positions[i]);
+    loose.triangles.push_back({v, v + 1, v + 2});
+  }
+  return loose;
+}
+
+/// Equal to the last bit: −0 is not 0.
+inline bool same_bits(const Triangles& a, const Triangles& b) {
+  if (a.triangles != b.triangles || a.positions.size() != b.positions.size()) return false;
+  for (std::size_t i = 0; i < a.positions.size(); ++i)
+    for (int k = 0; k < 3; ++k)
+      if (std::bit_cast<std::uint64_t>(a.positions[i][k]) !=
+          std::bit_cast<std::uint64_t>(b.positions[i][k]))
+        return false;
+  return true;
+}
+
+/// SplitMix64: the same numbers on every machine.
+class Dice {
+ public:
+  explicit Dice(std::uint64_t seed) : state_(seed) {}
+  std::uint64_t next() {
+    std::uint64_t z = state_ += 0x9e3779b97f4a7c15ULL;
+    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9ULL;
+    z = (z ^ (z >> 27)) * 0x94d049bb133111ebULL;
+    return z ^ (z >> 31);
+  }
+  std::size_t below(std::size_t n) { return static_cast<std::size_t>(next() % n); }
+  /// In [-1, 1).
+  double signed_unit() { return static_cast<double>(next() >> 11) * 0x1p-52 - 1; }
+
+ private:
+  std::uint64_t state_;
+};
+
+}  // namespace suture
