@@ -80,8 +80,8 @@ TEST_CASE("every shape is a closed embedded manifold of the right topology at ev
       CHECK(volume(surface) > 0);
       CHECK(angles(surface).smallest > c.smallest_angle);
       const double mean = edge_lengths(surface).mean;
-      CHECK(mean > 0.4 * edge_length);  // shorter than asked for where the shape is thinner
-      CHECK(mean < 1.8 * edge_length);  // longer on the walls of grooves
+      CHECK(mean > 0.25 * edge_length);  // shorter than asked for on a thin neck or rim
+      CHECK(mean < 1.8 * edge_length);   // longer on the walls of grooves
       if (surface.triangles.size() > 20000) continue;
       const SelfIntersections met = self_intersections(surface);
       CHECK(met.pairs.empty());
