@@ -93,8 +93,8 @@ TEST_CASE("no edge of a tetrahedron may be collapsed, since its component would 
 
 TEST_CASE("a collapse that turns a triangle over is refused, and its convex twin is not") {
   auto dented = hexagon();
-  dented[1] = {0.05, 0.3, 0};  // from corner 0 the ring's second corner hides behind the first
-  dented[2] = {0.6, 0.9, 0};
+  dented[1] = {0.3, 0.3, 0};  // from corner 0 the ring's second edge is seen from behind
+  dented[2] = {0.5, 2, 0};
   CHECK(centre_onto_ring(double_cone(hexagon(), 0), {}) == Refusal::none);
   CHECK(centre_onto_ring(double_cone(dented, 0), {}) == Refusal::normal);
   CHECK(centre_onto_ring(double_cone(dented, 0), {.cos_turn = -1}) == Refusal::normal);
@@ -171,7 +171,8 @@ TEST_CASE("corners stay, and vertices of an edge move only along it") {
   const Mesh mesh = to_mesh(cube(2));
   const CollapseRules kept{.cos_turn = -1, .cos_feature = std::cos(40 * std::numbers::pi / 180)};
   const CollapseRules loose{.cos_turn = -1};
-  const Point corner(0, 0, 0), on_edge(0.25, 0, 0), further(0.5, 0, 0), in_face(0.5, 0.25, 0);
+  const Point corner(0, 0, 0), on_edge(0.25, 0, 0), further(0.5, 0, 0), in_face(0.25, 0.25, 0),
+      deeper(0.5, 0.5, 0);
   CHECK(between(mesh, corner, on_edge, kept) == Refusal::feature);
   CHECK(between(mesh, corner, on_edge, loose) == Refusal::none);
   CHECK(between(mesh, on_edge, corner, kept) == Refusal::none);
@@ -179,7 +180,7 @@ TEST_CASE("corners stay, and vertices of an edge move only along it") {
   CHECK(between(mesh, on_edge, in_face, kept) == Refusal::feature);
   CHECK(between(mesh, on_edge, in_face, loose) == Refusal::none);
   CHECK(between(mesh, in_face, on_edge, kept) == Refusal::none);
-  CHECK(between(mesh, in_face, further, kept) == Refusal::none);
+  CHECK(between(mesh, in_face, deeper, kept) == Refusal::none);
 }
 
 TEST_CASE("whatever the rules allow leaves a closed manifold, on hostile meshes too") {
