@@ -1,6 +1,7 @@
 // What one local operation would do to the surface, and the rules that need only that [§6.2].
 #pragma once
 
+#include <Eigen/Geometry>
 #include <boost/container/small_vector.hpp>
 
 #include "surgery/collapse_rules.h"

@@ -39,7 +39,7 @@ struct QualityOptions {
   double largest_angle = 150;  ///< degrees; a triangle with a larger angle is bad
   double feature_angle = 40;   ///< degrees between normals; a sharper edge is a feature and is kept
   bool keep_features = true;   ///< off: features may be rounded by collapses and flips
-  double volume_bound = 1e-3;  ///< × edge_length³: the most volume that one operation may move
+  double volume_bound = 0.03;  ///< × edge_length³: the most volume that one operation may move
   double turn_bound = 60;      ///< degrees: the most a triangle's normal may turn in one operation
   int passes = 3;  ///< sweeps of subdivide, collapse, flip; ends early when nothing is left
   Subdivision subdivision = Subdivision::midpoint;
