@@ -2,6 +2,8 @@
 // surface is too large or too small for them.
 #include "kernel/measures.h"
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <cmath>
 

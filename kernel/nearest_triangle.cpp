@@ -1,0 +1,204 @@
+// A tree of boxes of our own: see `distance_to_triangle` for why CGAL's was not enough.
+#include "kernel/nearest_triangle.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <string>
+
+#include "kernel/errors.h"
+#include "kernel/lattice.h"
+
+namespace suture {
+
+namespace {
+
+constexpr std::size_t kLeaf = 4;  // triangles; 2 and 8 were slower
+constexpr int kDeepest = 64;      // halving 2^32 triangles takes 32 levels
+constexpr double kFar = 0x1p200;  // × the surface's size: from there it is a point
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+// From the segment (a, b) to p, the vector that is shortest.
+Point from_segment(const Point& p, const Point& a, const Point& b) {
+  const Point ab = b - a, ap = p - a;
+  const double length2 = ab.squaredNorm(), along = ab.dot(ap);
+  if (!(along > 0)) return ap;
+  if (along >= length2) return p - b;
+  // Measured from the nearer end, so that the foot's rounding stays small beside the distance.
+  return 2 * along <= length2 ? Point(ap - ab * (along / length2))
+                              : Point((p - b) - (a - b) * ((a - b).dot(p - b) / length2));
+}
+
+// Squared distance of p from the triangle. The nearest point of the border comes first. It is the
+// answer outside the triangle's prism, and inside it is off by no more than the triangle is wide:
+// its square exceeds that of the true distance by at most the squared inradius. So slivers, whose
+// normals are mostly rounding (which is what a projection along the normal stands on), need none.
+double squared_distance(const Point& p, const Point& a, const Point& b, const Point& c) {
+  Point border = from_segment(p, a, b);
+  double border2 = border.squaredNorm();
+  for (const Point& other : {from_segment(p, b, c), from_segment(p, c, a)})
+    if (const double other2 = other.squaredNorm(); other2 < border2) {
+      border = other;
+      border2 = other2;
+    }
+  const Point ab = b - a, bc = c - b, ca = a - c;
+  const Point n = ab.cross(-ca);
+  const double n2 = n.squaredNorm();
+  const double round = ab.norm() + bc.norm() + ca.norm();
+  const double inradius2 = n2 / (round * round);
+  if (!(inradius2 > std::numeric_limits<double>::epsilon() * border2)) return border2;
+  const bool inside =
+      n.dot(ab.cross(p - a)) >= 0 && n.dot(bc.cross(p - b)) >= 0 && n.dot(ca.cross(p - c)) >= 0;
+  if (!inside) return border2;
+  const double height = n.dot(border);  // from the nearest border point: the least cancellation
+  return std::clamp(height * height / n2, std::max(0.0, border2 - inradius2), border2);
+}
+
+struct Node {
+  Eigen::Array3d low = Eigen::Array3d::Constant(kInfinity);
+  Eigen::Array3d high = Eigen::Array3d::Constant(-kInfinity);
+  std::uint32_t begin = 0, end = 0;  // triangles of a leaf
+  std::uint32_t right = 0;           // second child; the first is the next node; 0: a leaf
+
+  double squared_distance(const Point& p) const {
+    return (low - p.array()).max(p.array() - high).max(0).square().sum();
+  }
+};
+
+struct Item {
+  Point a, b, c;
+  std::uint32_t triangle;
+  Eigen::Array3d middle() const {
+    return (a.array().min(b.array()).min(c.array()) + a.array().max(b.array()).max(c.array())) / 2;
+  }
+};
+
+}  // namespace
+
+struct NearestTriangle::Tree {
+  double scale = 1, unscale = 1;  // powers of two, so that scaling is exact
+  Point anchor = Point::Zero();   // a vertex, in the surface's own coordinates
+  std::vector<Item> items;
+  std::vector<Node> nodes;
+
+  explicit Tree(const Triangles& surface);
+  std::uint32_t build(std::uint32_t begin, std::uint32_t end);
+
+  struct Found {
+    double squared = kInfinity;
+    std::uint32_t triangle = kNone;
+  };
+  Found find(const Point& scaled) const;
+  bool far(const Point& p) const { return !(p.lpNorm<Eigen::Infinity>() * scale < kFar); }
+};
+
+NearestTriangle::Tree::Tree(const Triangles& surface) {
+  if (surface.triangles.empty())
+    throw InvalidInput("distances need a surface with at least one triangle; it has none");
+  double largest = 0;
+  for (std::size_t i = 0; i < surface.triangles.size(); ++i)
+    for (const std::uint32_t v : surface.triangles[i]) {
+      if (v >= surface.positions.size() || !surface.positions[v].allFinite())
+        throw InvalidInput("triangle " + std::to_string(i) + " has the vertex " +
+                           std::to_string(v) +
+                           ", which does not exist or is not finite; audit the surface first");
+      largest = std::max(largest, surface.positions[v].lpNorm<Eigen::Infinity>());
+    }
+  int exponent = 0;
+  std::frexp(largest, &exponent);
+  exponent = std::clamp(exponent, -1000, 1000);  // the factors themselves must be normal doubles
+  scale = std::ldexp(1.0, -exponent);
+  unscale = std::ldexp(1.0, exponent);
+  anchor = surface.positions[surface.triangles[0][0]];
+  items.reserve(surface.triangles.size());
+  for (std::size_t i = 0; i < surface.triangles.size(); ++i) {
+    const Triangle& t = surface.triangles[i];
+    items.push_back({surface.positions[t[0]] * scale, surface.positions[t[1]] * scale,
+                     surface.positions[t[2]] * scale, static_cast<std::uint32_t>(i)});
+  }
+  nodes.reserve(items.size());
+  build(0, static_cast<std::uint32_t>(items.size()));
+}
+
+std::uint32_t NearestTriangle::Tree::build(std::uint32_t begin, std::uint32_t end) {
+  const auto at = static_cast<std::uint32_t>(nodes.size());
+  Node node;
+  Eigen::Array3d low = node.low, high = node.high;  // of the middles
+  for (std::uint32_t i = begin; i < end; ++i) {
+    for (const Point* p : {&items[i].a, &items[i].b, &items[i].c}) {
+      node.low = node.low.min(p->array());
+      node.high = node.high.max(p->array());
+    }
+    low = low.min(items[i].middle());
+    high = high.max(items[i].middle());
+  }
+  node.begin = begin;
+  node.end = end;
+  nodes.push_back(node);
+  if (end - begin <= kLeaf) return at;
+  int axis = 0;
+  (high - low).maxCoeff(&axis);
+  const std::uint32_t half = begin + (end - begin) / 2;
+  std::nth_element(items.begin() + begin, items.begin() + half, items.begin() + end,
+                   [axis](const Item& x, const Item& y) {
+                     const double mx = x.middle()[axis], my = y.middle()[axis];
+                     return mx != my ? mx < my : x.triangle < y.triangle;
+                   });
+  build(begin, half);
+  const std::uint32_t right = build(half, end);
+  nodes[at].right = right;
+  return at;
+}
+
+NearestTriangle::Tree::Found NearestTriangle::Tree::find(const Point& p) const {
+  Found found;
+  std::array<std::pair<double, std::uint32_t>, kDeepest> waiting;
+  std::size_t count = 0;
+  waiting[count++] = {nodes[0].squared_distance(p), 0};
+  while (count > 0) {
+    auto [bound, at] = waiting[--count];
+    while (bound <= found.squared && nodes[at].right != 0) {
+      std::uint32_t near = at + 1, far_child = nodes[at].right;
+      double near_bound = nodes[near].squared_distance(p);
+      double far_bound = nodes[far_child].squared_distance(p);
+      if (far_bound < near_bound) {
+        std::swap(near, far_child);
+        std::swap(near_bound, far_bound);
+      }
+      if (far_bound <= found.squared) waiting[count++] = {far_bound, far_child};
+      bound = near_bound;
+      at = near;
+    }
+    if (bound > found.squared) continue;
+    for (std::uint32_t i = nodes[at].begin; i < nodes[at].end; ++i) {
+      const double d = squared_distance(p, items[i].a, items[i].b, items[i].c);
+      if (d < found.squared || (d == found.squared && items[i].triangle < found.triangle))
+        found = {d, items[i].triangle};
+    }
+  }
+  return found;
+}
+
+double distance_to_triangle(const Point& p, const Point& a, const Point& b, const Point& c) {
+  return std::sqrt(squared_distance(p, a, b, c));
+}
+
+NearestTriangle::NearestTriangle(const Triangles& surface)
+    : tree_(std::make_unique<Tree>(surface)) {}
+NearestTriangle::~NearestTriangle() = default;
+NearestTriangle::NearestTriangle(NearestTriangle&&) noexcept = default;
+NearestTriangle& NearestTriangle::operator=(NearestTriangle&&) noexcept = default;
+
+double NearestTriangle::distance(const Point& p) const {
+  if (tree_->far(p)) return (p - tree_->anchor).stableNorm();
+  return std::sqrt(tree_->find(p * tree_->scale).squared) * tree_->unscale;
+}
+
+std::uint32_t NearestTriangle::triangle(const Point& p) const {
+  return tree_->find(tree_->far(p) ? Point::Zero().eval() : Point(p * tree_->scale)).triangle;
+}
+
+}  // namespace suture
