@@ -1,0 +1,122 @@
+// A four-legged animal with thin legs: a smooth union of tapered capsules [Figures 8 and 12].
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+
+#include "kernel/isosurface.h"
+#include "kernel/relax.h"
+#include "kernel/shape_checks.h"
+#include "kernel/shapes.h"
+
+namespace suture {
+
+namespace {
+
+// Balls of radius `from` to `to` along a segment.
+struct Capsule {
+  Point start, end;
+  double from = 0, to = 0;
+};
+
+// All in lengths of the animal; z is its left. The legs' radius is the only free one.
+std::vector<Capsule> limbs(double leg) {
+  std::vector<Capsule> all{{{-0.40, 0.68, 0}, {0.36, 0.66, 0}, 0.185, 0.195},  // trunk
+                           {{0.42, 0.74, 0}, {0.66, 1.04, 0}, 0.13, 0.085},    // neck
+                           {{0.68, 1.08, 0}, {0.93, 0.97, 0}, 0.092, 0.055},   // head
+                           {{-0.54, 0.76, 0}, {-0.68, 0.64, 0}, 0.05, 0.042},  // tail
+                           {{-0.68, 0.64, 0}, {-0.74, 0.36, 0}, 0.042, 0.036}};
+  for (const double side : {-1.0, 1.0}) {
+    const double z = side * 0.115;
+    const auto add = [&](const Point& a, const Point& b, double from, double to) {
+      all.push_back({{a[0], a[1], side * a[2]}, {b[0], b[1], side * b[2]}, from, to});
+    };
+    all.push_back({{0.65, 1.12, side * 0.05}, {0.62, 1.22, side * 0.075}, 0.036, 0.03});  // ear
+    add({0.37, 0.58, 0.1}, {0.39, 0.31, 0.115}, 0.09, 1.15 * leg);
+    add({-0.44, 0.60, 0.1}, {-0.50, 0.32, 0.115}, 0.11, 1.2 * leg);
+    all.push_back({{0.39, 0.31, z}, {0.37, 0.04, z}, 1.15 * leg, leg});
+    all.push_back({{-0.50, 0.32, z}, {-0.46, 0.04, z}, 1.2 * leg, leg});
+    all.push_back({{0.37, 0.04, z}, {0.40, 0.035, z}, 1.15 * leg, 1.1 * leg});  // hooves
+    all.push_back({{-0.46, 0.04, z}, {-0.43, 0.035, z}, 1.15 * leg, 1.1 * leg});
+  }
+  return all;
+}
+
+struct Value {
+  double value = 0;
+  Point gradient = Point::Zero();
+};
+
+// Near enough to a distance: to the ball of the nearest point of the segment.
+Value distance(const Capsule& c, const Point& p) {
+  const Point along = c.end - c.start;
+  const double length2 = along.squaredNorm(), at = (p - c.start).dot(along) / length2;
+  const double t = std::clamp(at, 0.0, 1.0);
+  const Point away = p - c.start - t * along;
+  const double d = away.norm();
+  Point gradient = away / std::max(d, 1e-300);
+  if (t == at) gradient -= (c.to - c.from) / length2 * along;
+  return {d - (c.from + t * (c.to - c.from)), gradient};
+}
+
+// The minimum, rounded where the two are within `width` of each other (Quilez's polynomial).
+Value smooth_minimum(const Value& a, const Value& b, double width) {
+  const Value &low = a.value < b.value ? a : b, &high = a.value < b.value ? b : a;
+  const double h = std::max(width - (high.value - low.value), 0.0) / width;
+  return {low.value - h * h * width / 4, low.gradient + h / 2 * (high.gradient - low.gradient)};
+}
+
+class Body {
+ public:
+  explicit Body(double leg) : limbs_(limbs(leg)) {}
+
+  Value at(const Point& p) const {
+    constexpr double kRound = 0.05;  // lengths; how far limbs flow into each other
+    Value value = distance(limbs_[0], p);
+    for (std::size_t i = 1; i < limbs_.size(); ++i)
+      value = smooth_minimum(value, distance(limbs_[i], p), kRound);
+    return value;
+  }
+
+  Point onto_surface(Point p) const {
+    constexpr int kNewtonSteps = 4;  // from within half a cell; then at the size of rounding
+    for (int k = 0; k < kNewtonSteps; ++k) {
+      const Value v = at(p);
+      p -= v.value / v.gradient.squaredNorm() * v.gradient;
+    }
+    return p;
+  }
+
+ private:
+  std::vector<Capsule> limbs_;
+};
+
+}  // namespace
+
+Triangles animal(const AnimalParameters& p) {
+  constexpr double kCellsPerEdge = 1.9;  // measured: gives edges of edge_length on average
+  constexpr double kLeastCosine = 0.3;   // between a triangle and the surface's normal
+  require_positive("animal: length", p.length);
+  require_range("animal: leg_radius", p.leg_radius, 0.02, 0.06, "0.02 to 0.06 of its length");
+  require_resolution("animal", 3 * p.length * p.length, p.edge_length);
+  const double longest = 0.6 * p.leg_radius * p.length;
+  if (p.edge_length > longest)
+    throw InvalidInput("animal: edge_length " + std::to_string(p.edge_length) +
+                       " is too long for its legs; choose at most 0.6 of their radius, " +
+                       std::to_string(longest));
+  const Body body(p.leg_radius);
+  const double cell = kCellsPerEdge * p.edge_length / p.length;
+  const Point margin = Point::Constant(0.06 + 2 * cell);
+  Triangles surface =
+      isosurface([&](const Point& q) { return body.at(q).value; },
+                 {Point(-0.8, -0.05, -0.25) - margin, Point(1.0, 1.3, 0.25) + margin}, cell);
+  relax(surface.positions, surface.triangles,
+        {0, 15, [&](const Point& q) { return body.onto_surface(q); },
+         [&](const Point& a, const Point& b, const Point& c) {
+           const Point normal = (b - a).cross(c - a), up = body.at((a + b + c) / 3).gradient;
+           return normal.dot(up) > kLeastCosine * normal.norm() * up.norm();
+         }});
+  for (Point& q : surface.positions) q = p.centre + p.length * q;
+  return surface;
+}
+
+}  // namespace suture
