@@ -18,7 +18,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Where a model of this name is: in $SUTURE_MODELS, or in data/models seen from the scene's folder.
+/// Where a model of this name is: in $SUTURE_MODELS, or in data/models seen from the scene's
+/// folder.
 fs::path find_model(const std::string& name, const fs::path& folder) {
   std::vector<fs::path> places;
   if (const char* chosen = std::getenv("SUTURE_MODELS")) places.emplace_back(chosen);

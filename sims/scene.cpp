@@ -1,8 +1,8 @@
 // A scene: bodies, what moves them, the tracker's options, time, and what is written down.
 #include "sims/scene.h"
 
-#include <Eigen/Geometry>
 #include <fmt/format.h>
+#include <Eigen/Geometry>
 
 #include <cmath>
 #include <limits>
@@ -76,15 +76,16 @@ TimeOptions read_time(Keys keys) {
 
 Every read_every(Keys& keys) {
   const Range counts = Range::between(0, std::numeric_limits<int>::max());
-  return {static_cast<int>(keys.integer("every", counts, 0)),
-          keys.list("at", Range::at_least(0))};
+  return {static_cast<int>(keys.integer("every", counts, 0)), keys.list("at", Range::at_least(0))};
 }
 
 void read_meshes(Keys keys, OutputOptions& output) {
   output.meshes = read_every(keys);
   output.mesh_format = "ply";
-  if (keys.has("format")) output.mesh_format = keys.one_of("format", {"obj", "off", "ply", "stl"});
-  else keys.text("format", "");
+  if (keys.has("format"))
+    output.mesh_format = keys.one_of("format", {"obj", "off", "ply", "stl"});
+  else
+    keys.text("format", "");
   keys.done();
 }
 
@@ -107,9 +108,8 @@ void read_camera(Keys& keys, OutputOptions& output) {
 }
 
 void read_pictures(Keys keys, OutputOptions& output) {
-  constexpr std::array<Named<Colour>, 3> colours = {{{"plain", Colour::plain},
-                                                     {"patches", Colour::patches},
-                                                     {"components", Colour::components}}};
+  constexpr std::array<Named<Colour>, 3> colours = {
+      {{"plain", Colour::plain}, {"patches", Colour::patches}, {"components", Colour::components}}};
   output.pictures = read_every(keys);
   PictureOptions& p = output.picture;
   p.width = static_cast<int>(keys.integer("width", Range::between(16, 4096), p.width));

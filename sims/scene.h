@@ -23,15 +23,15 @@ struct Phase {
 struct TimeOptions {
   double step = 0;  ///< dt
   double end = 0;
-  int remodel_every = 1;  ///< steps; 0: never
-  int improve_every = 1;  ///< steps; 0: never
+  int remodel_every = 1;       ///< steps; 0: never
+  int improve_every = 1;       ///< steps; 0: never
   std::int64_t steps() const;  ///< the least number of whole steps that reaches `end`
 };
 
 /// Which steps are written; the first and the last always are, where any is.
 struct Every {
-  int steps = 0;             ///< 0: none but those in `at`
-  std::vector<double> at;    ///< times
+  int steps = 0;           ///< 0: none but those in `at`
+  std::vector<double> at;  ///< times
   bool wants(std::int64_t step, const TimeOptions& time) const;
   bool any() const { return steps > 0 || !at.empty(); }
 };
@@ -51,8 +51,8 @@ struct OutputOptions {
 struct Scene {
   std::filesystem::path file;
   std::string title;
-  Triangles surface;                ///< the union of the bodies, one after another
-  std::vector<std::string> notes;   ///< what was done to get there: fallbacks and repairs
+  Triangles surface;               ///< the union of the bodies, one after another
+  std::vector<std::string> notes;  ///< what was done to get there: fallbacks and repairs
   std::vector<Phase> phases;
   TrackerOptions tracker;
   TimeOptions time;

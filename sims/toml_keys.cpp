@@ -83,8 +83,8 @@ TomlTable read_toml(const std::filesystem::path& file) {
     const toml::table parsed = toml::parse_file(file.string());
     return Converter(file.string()).table(parsed, "");
   } catch (const toml::parse_error& error) {
-    throw InvalidInput(fmt::format("{}:{}: {}", file.string(), error.source().begin.line,
-                                   error.description()));
+    throw InvalidInput(
+        fmt::format("{}:{}: {}", file.string(), error.source().begin.line, error.description()));
   }
 }
 
