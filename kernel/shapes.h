@@ -86,7 +86,7 @@ struct CarvedBallParameters {
   Point centre = Point::Zero();
   double radius = 1;
   double depth = 0.22;         ///< of the grooves, as a part of the radius, at most 0.6
-  double groove_width = 0.07;  ///< as a part of the radius
+  double groove_width = 0.1;  ///< as a part of the radius
   int seed = 1;
   double edge_length = 0.02;
 };

@@ -110,7 +110,7 @@ Triangles animal(const AnimalParameters& p) {
       isosurface([&](const Point& q) { return body.at(q).value; },
                  {Point(-0.8, -0.05, -0.25) - margin, Point(1.0, 1.3, 0.25) + margin}, cell);
   relax(surface.positions, surface.triangles,
-        {0, 15, [&](const Point& q) { return body.onto_surface(q); },
+        {2, 15, [&](const Point& q) { return body.onto_surface(q); },
          [&](const Point& a, const Point& b, const Point& c) {
            const Point normal = (b - a).cross(c - a), up = body.at((a + b + c) / 3).gradient;
            return normal.dot(up) > kLeastCosine * normal.norm() * up.norm();

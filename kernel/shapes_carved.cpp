@@ -102,7 +102,7 @@ Triangles carved_ball(const CarvedBallParameters& p) {
   // Six times the volume of a triangle's cone: a sliver seen from the centre is refused as well.
   const double least = 1e-3 * std::pow(p.edge_length / p.radius, 2);
   relax(ball.positions, ball.triangles,
-        {kSweeps, kSweeps, project, [=](const Point& a, const Point& b, const Point& c) {
+        {0, kSweeps, project, [=](const Point& a, const Point& b, const Point& c) {
            return a.dot(b.cross(c)) > least * a.norm() * b.norm() * c.norm();
          }});
   for (Point& q : ball.positions) q = p.centre + p.radius * q;
