@@ -16,9 +16,10 @@ namespace suture {
 
 namespace {
 
-constexpr std::size_t kLeaf = 4;  // triangles; 2 and 8 were slower
-constexpr int kDeepest = 64;      // halving 2^32 triangles takes 32 levels
-constexpr double kFar = 0x1p200;  // × the surface's size: from there it is a point
+constexpr std::size_t kLeaf = 4;       // triangles
+constexpr std::size_t kLopsided = 8;   // a part of less than 1/8 is not worth a level
+constexpr std::size_t kDeepest = 192;  // 7/8 of 2^32 triangles, 167 times over, is one
+constexpr double kFar = 0x1p200;       // × the surface's size: from there it is a point
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 // From the segment (a, b) to p, the vector that is shortest.
@@ -71,10 +72,50 @@ struct Node {
 struct Item {
   Point a, b, c;
   std::uint32_t triangle;
-  Eigen::Array3d middle() const {
-    return (a.array().min(b.array()).min(c.array()) + a.array().max(b.array()).max(c.array())) / 2;
-  }
 };
+
+// What the tree is built from: small, since it is moved about at every level.
+struct Key {
+  Eigen::Array3d middle;  // of the triangle's box
+  std::uint32_t triangle;
+};
+
+// Where to part the keys: by the middle of their extent, which is quick and keeps boxes compact, or
+// by their median where the middle would leave one side nearly empty, which bounds the depth.
+std::size_t part(std::vector<Key>& keys, std::size_t begin, std::size_t end) {
+  Eigen::Array3d low = keys[begin].middle, high = low;
+  for (std::size_t i = begin + 1; i < end; ++i) {
+    low = low.min(keys[i].middle);
+    high = high.max(keys[i].middle);
+  }
+  int axis = 0;
+  (high - low).maxCoeff(&axis);
+  const double at = low[axis] + (high[axis] - low[axis]) / 2;
+  const auto first = keys.begin() + static_cast<std::ptrdiff_t>(begin);
+  const auto last = keys.begin() + static_cast<std::ptrdiff_t>(end);
+  const auto cut = std::partition(first, last, [&](const Key& k) { return k.middle[axis] < at; });
+  const std::size_t size = end - begin, left = static_cast<std::size_t>(cut - first);
+  if (std::min(left, size - left) >= size / kLopsided) return begin + left;
+  std::nth_element(first, first + static_cast<std::ptrdiff_t>(size / 2), last,
+                   [axis](const Key& x, const Key& y) {
+                     const double mx = x.middle[axis], my = y.middle[axis];
+                     return mx != my ? mx < my : x.triangle < y.triangle;
+                   });
+  return begin + size / 2;
+}
+
+double largest_coordinate(const Triangles& surface) {
+  double largest = 0;
+  for (std::size_t i = 0; i < surface.triangles.size(); ++i)
+    for (const std::uint32_t v : surface.triangles[i]) {
+      if (v >= surface.positions.size() || !surface.positions[v].allFinite())
+        throw InvalidInput("triangle " + std::to_string(i) + " has the vertex " +
+                           std::to_string(v) +
+                           ", which does not exist or is not finite; audit the surface first");
+      largest = std::max(largest, surface.positions[v].lpNorm<Eigen::Infinity>());
+    }
+  return largest;
+}
 
 }  // namespace
 
@@ -85,7 +126,8 @@ struct NearestTriangle::Tree {
   std::vector<Node> nodes;
 
   explicit Tree(const Triangles& surface);
-  std::uint32_t build(std::uint32_t begin, std::uint32_t end);
+  std::uint32_t build(std::vector<Key>& keys, std::size_t begin, std::size_t end,
+                      const auto& corner);
 
   struct Found {
     double squared = kInfinity;
@@ -98,58 +140,50 @@ struct NearestTriangle::Tree {
 NearestTriangle::Tree::Tree(const Triangles& surface) {
   if (surface.triangles.empty())
     throw InvalidInput("distances need a surface with at least one triangle; it has none");
-  double largest = 0;
-  for (std::size_t i = 0; i < surface.triangles.size(); ++i)
-    for (const std::uint32_t v : surface.triangles[i]) {
-      if (v >= surface.positions.size() || !surface.positions[v].allFinite())
-        throw InvalidInput("triangle " + std::to_string(i) + " has the vertex " +
-                           std::to_string(v) +
-                           ", which does not exist or is not finite; audit the surface first");
-      largest = std::max(largest, surface.positions[v].lpNorm<Eigen::Infinity>());
-    }
   int exponent = 0;
-  std::frexp(largest, &exponent);
+  std::frexp(largest_coordinate(surface), &exponent);
   exponent = std::clamp(exponent, -1000, 1000);  // the factors themselves must be normal doubles
   scale = std::ldexp(1.0, -exponent);
   unscale = std::ldexp(1.0, exponent);
   anchor = surface.positions[surface.triangles[0][0]];
-  items.reserve(surface.triangles.size());
-  for (std::size_t i = 0; i < surface.triangles.size(); ++i) {
-    const Triangle& t = surface.triangles[i];
-    items.push_back({surface.positions[t[0]] * scale, surface.positions[t[1]] * scale,
-                     surface.positions[t[2]] * scale, static_cast<std::uint32_t>(i)});
+  const auto corner = [&](std::size_t t, std::size_t k) -> Point {
+    return surface.positions[surface.triangles[t][k]] * scale;
+  };
+  std::vector<Key> keys(surface.triangles.size());
+  for (std::size_t t = 0; t < keys.size(); ++t) {
+    const Eigen::Array3d a = corner(t, 0), b = corner(t, 1), c = corner(t, 2);
+    keys[t] = {(a.min(b).min(c) + a.max(b).max(c)) / 2, static_cast<std::uint32_t>(t)};
   }
-  nodes.reserve(items.size());
-  build(0, static_cast<std::uint32_t>(items.size()));
+  items.reserve(keys.size());
+  nodes.reserve(keys.size());
+  build(keys, 0, keys.size(), corner);
 }
 
-std::uint32_t NearestTriangle::Tree::build(std::uint32_t begin, std::uint32_t end) {
+std::uint32_t NearestTriangle::Tree::build(std::vector<Key>& keys, std::size_t begin,
+                                           std::size_t end, const auto& corner) {
   const auto at = static_cast<std::uint32_t>(nodes.size());
-  Node node;
-  Eigen::Array3d low = node.low, high = node.high;  // of the middles
-  for (std::uint32_t i = begin; i < end; ++i) {
-    for (const Point* p : {&items[i].a, &items[i].b, &items[i].c}) {
-      node.low = node.low.min(p->array());
-      node.high = node.high.max(p->array());
-    }
-    low = low.min(items[i].middle());
-    high = high.max(items[i].middle());
+  nodes.emplace_back();
+  if (end - begin > kLeaf) {
+    const std::size_t half = part(keys, begin, end);
+    const std::uint32_t left = build(keys, begin, half, corner);
+    const std::uint32_t right = build(keys, half, end, corner);
+    nodes[at].right = right;
+    nodes[at].low = nodes[left].low.min(nodes[right].low);
+    nodes[at].high = nodes[left].high.max(nodes[right].high);
+    return at;
   }
-  node.begin = begin;
-  node.end = end;
-  nodes.push_back(node);
-  if (end - begin <= kLeaf) return at;
-  int axis = 0;
-  (high - low).maxCoeff(&axis);
-  const std::uint32_t half = begin + (end - begin) / 2;
-  std::nth_element(items.begin() + begin, items.begin() + half, items.begin() + end,
-                   [axis](const Item& x, const Item& y) {
-                     const double mx = x.middle()[axis], my = y.middle()[axis];
-                     return mx != my ? mx < my : x.triangle < y.triangle;
-                   });
-  build(begin, half);
-  const std::uint32_t right = build(half, end);
-  nodes[at].right = right;
+  Node& leaf = nodes[at];
+  leaf.begin = static_cast<std::uint32_t>(begin);
+  leaf.end = static_cast<std::uint32_t>(end);
+  for (std::size_t i = begin; i < end; ++i) {
+    const std::uint32_t t = keys[i].triangle;
+    const Item item{corner(t, 0), corner(t, 1), corner(t, 2), t};
+    for (const Point* p : {&item.a, &item.b, &item.c}) {
+      leaf.low = leaf.low.min(p->array());
+      leaf.high = leaf.high.max(p->array());
+    }
+    items.push_back(item);
+  }
   return at;
 }
 
