@@ -36,6 +36,16 @@ constexpr LatticeId step(LatticeId id, int axis, int steps) {
 constexpr int next_axis(int axis) { return axis == 2 ? 0 : axis + 1; }
 constexpr int prev_axis(int axis) { return axis == 0 ? 2 : axis - 1; }
 
+/// Calls visit(cell) with the four cells round the lattice edge along `axis`.
+template <class Visit>
+void cells_round_edge(LatticeId edge, int axis, Visit visit) {
+  const int b = next_axis(axis), c = prev_axis(axis);
+  visit(edge);
+  visit(step(edge, b, -1));
+  visit(step(edge, c, -1));
+  visit(step(step(edge, b, -1), c, -1));
+}
+
 struct Box {
   Point low = Point::Constant(0), high = Point::Constant(0);
 };

@@ -16,17 +16,24 @@ struct CollapseRules {
   const Oracle* oracle = nullptr;    ///< needed with a lattice
   double cos_turn = 0.5;             ///< cosine of the most a normal may turn
   double volume_bound = 1e300;       ///< most volume that may be moved
-  double cos_feature = -2;  ///< edges whose normals' cosine is below it are features; -2: none are
+  double cos_feature = -2;   ///< edges whose normals' cosine is below it are features; -2: none are
+  double sliver_height = 0;  ///< a triangle no higher than this has no normal worth keeping
 };
 
 /// Whether the source of `h` may be collapsed onto its target, which stays where it is.
-/// Rules in order: link condition; no new or larger normal turn beyond the bound and no triangle
-/// turned over (triangles without area before are exempt); no node of the shifted lattice swept;
-/// volume; features.
+/// Rules in order: link condition (and no component may vanish); no triangle turned over, or turned
+/// by more than the bound; no node of the shifted lattice swept; volume (the sum of the absolute
+/// volumes of the swept tetrahedra); features. A sliver's own normal says nothing: it may turn as
+/// it likes while it stays a sliver, and if it grows it must face the way its star does.
 Refusal may_collapse(const Mesh& mesh, Mesh::Halfedge_index h, const CollapseRules& rules);
 
+/// The same for a collapse after which the target stands at `to`. A vertex on a feature may not
+/// move, so `to` must then be where the target is.
+Refusal may_collapse_to(const Mesh& mesh, Mesh::Halfedge_index h, const Point& to,
+                        const CollapseRules& rules);
+
 /// Collapses the source of `h` onto its target. \pre may_collapse gave Refusal::none
-/// \return the vertex that stays
+/// \return the vertex that stays: always the target of `h`, with its index and position
 Mesh::Vertex_index collapse(Mesh& mesh, Mesh::Halfedge_index h);
 
 /// Whether moving vertex `v` to `to` sweeps a node of the shifted lattice: some tetrahedron

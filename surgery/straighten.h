@@ -9,9 +9,10 @@
 namespace suture {
 
 /// Collapses each of `type2` onto a neighbour that is type 1 or, failing that, another type 2
-/// vertex, so that the region's boundary runs straight between type 1 vertices; tried again as long
-/// as some collapse succeeds. What no rule allows stays, and is counted. Deterministic; garbage is
-/// left in place.
+/// vertex, so that the region's boundary runs straight between type 1 vertices; shortest edge
+/// first, and tried again whenever a collapse nearby has changed its star. What no rule allows
+/// stays and is counted once, under the rule that refused it last; as `delayed` where it has no
+/// neighbour of either type. Deterministic; garbage is left in place.
 CollapseCounts straighten(Mesh& mesh, const std::vector<Mesh::Vertex_index>& type2,
                           const std::vector<Mesh::Vertex_index>& type1, const CollapseRules& rules);
 

@@ -1,47 +1,108 @@
-// The tracker's state, and the order in which the paper's steps run [§3].
+// The tracker's state, and what each call promises to leave behind [§3].
 #include "surgery/tracker.h"
 
+#include <cmath>
+#include <string>
+
+#include "kernel/audit.h"
 #include "kernel/errors.h"
+#include "kernel/mesh_io.h"
 #include "surgery/advect.h"
+#include "surgery/quality.h"
+#include "surgery/remodel.h"
 
 namespace suture {
 
+namespace {
+
+void require_in_range(const TrackerOptions& o) {
+  if (!(std::isfinite(o.cell_size) && o.cell_size > 0))
+    throw InvalidInput("cell_size is " + std::to_string(o.cell_size) +
+                       "; set it to a finite positive length");
+  constexpr int kMostDepth = 1000;  // (2·depth + 1)³ cells are looked at for each complex cell
+  if (o.depth < 0 || o.depth > kMostDepth)
+    throw InvalidInput("depth is " + std::to_string(o.depth) + "; it must be 0 to " +
+                       std::to_string(kMostDepth) + " cells");
+  if (!o.origin.allFinite()) throw InvalidInput("the lattice's origin must be finite");
+  if (!(o.straighten_turn >= 0 && o.straighten_turn <= 180))
+    throw InvalidInput("straighten_turn must be 0 to 180 degrees");
+}
+
+}  // namespace
+
 struct Tracker::State {
-  Triangles surface;
+  Surface surface;
   TrackerOptions options;
+  std::unique_ptr<Oracle> oracle;
   double time = 0;
+  int remodels = 0;
 };
 
-Tracker::Tracker(Triangles surface, const TrackerOptions& options)
-    : state_(std::make_unique<State>(State{std::move(surface), options})) {}
+Tracker::Tracker(Triangles surface, const TrackerOptions& options) {
+  require_in_range(options);
+  require_closed_manifold(surface, "the surface");
+  lattice_around(bounding_box(surface.positions), options.cell_size, options.origin,
+                 options.depth + 3);
+  state_ = std::make_unique<State>();
+  state_->options = options;
+  state_->oracle = make_oracle(options.arithmetic);
+  state_->surface.mesh = to_mesh(surface);
+  state_->surface.triangles = std::move(surface);
+}
 Tracker::~Tracker() = default;
 Tracker::Tracker(Tracker&&) noexcept = default;
 Tracker& Tracker::operator=(Tracker&&) noexcept = default;
 
-const Triangles& Tracker::surface() const { return state_->surface; }
+const Triangles& Tracker::surface() const { return state_->surface.triangles; }
 const TrackerOptions& Tracker::options() const { return state_->options; }
 double Tracker::time() const { return state_->time; }
 
 void Tracker::advect(const VelocityField& u, double dt) {
-  displace(advected(state_->surface.positions, u, state_->time, dt), dt);
+  displace(advected(surface().positions, u, state_->time, dt), dt);
 }
 
 void Tracker::displace(std::vector<Point> positions, double dt) {
-  if (positions.size() != state_->surface.positions.size())
+  if (positions.size() != surface().positions.size())
     throw InvalidInput("displace was given " + std::to_string(positions.size()) +
-                       " positions for a surface of " +
-                       std::to_string(state_->surface.positions.size()) +
+                       " positions for a surface of " + std::to_string(surface().positions.size()) +
                        " vertices; give one for each, in the order of surface().positions");
   for (std::size_t i = 0; i < positions.size(); ++i)
     if (!positions[i].allFinite())
       throw InvalidInput("vertex " + std::to_string(i) +
-                         " would move to a place that is not finite; "
-                         "check the velocity field or the time step");
-  state_->surface.positions = std::move(positions);
+                         " would move to a place that is not finite; check the velocity field or "
+                         "the time step");
+  for (const auto v : state_->surface.mesh.vertices())
+    state_->surface.mesh.point(v) = to_cgal(positions[v]);
+  state_->surface.triangles.positions = std::move(positions);
   state_->time += dt;
 }
 
-SurgeryReport Tracker::remodel(Trace*) { return {}; }
-QualityReport Tracker::improve(Trace*) { return {}; }
+SurgeryReport Tracker::remodel(Trace* trace) {
+  SurgeryReport report = suture::remodel(state_->surface, state_->options, *state_->oracle, trace);
+  ++state_->remodels;
+  if (report.outcome == Outcome::refused && !state_->options.reproducers.empty()) {
+    std::filesystem::create_directories(state_->options.reproducers);
+    const auto path = state_->options.reproducers /
+                      ("refused_remodel_" + std::to_string(state_->remodels) + ".ply");
+    write_triangles(path, surface());
+    report.reproducer = path.string();
+  }
+  return report;
+}
+
+QualityReport Tracker::improve(Trace* trace) {
+  Stopwatch watch;
+  QualityOptions options = state_->options.quality;
+  if (options.edge_length == 0) options.edge_length = state_->options.cell_size;
+  const Lattice lattice =
+      lattice_around(bounding_box(surface().positions), state_->options.cell_size,
+                     state_->options.origin, state_->options.depth + 3);
+  Mesh mesh = state_->surface.mesh;
+  QualityReport report = suture::improve(mesh, options, &lattice, state_->oracle.get());
+  state_->surface.triangles = to_triangles(mesh);
+  state_->surface.mesh = std::move(mesh);
+  if (trace) trace->stage_ended("improve", watch.lap());
+  return report;
+}
 
 }  // namespace suture

@@ -1,0 +1,61 @@
+// Collapsing an edge, and the rules that allow it [§6.1 step 3, §6.2].
+#include "surgery/collapse_rules.h"
+
+#include <CGAL/boost/graph/Euler_operations.h>
+
+#include "surgery/features.h"
+#include "surgery/local_change.h"
+
+namespace suture {
+
+namespace {
+
+bool leaves_feature(const Mesh& mesh, Mesh::Halfedge_index h, const CollapseRules& rules) {
+  const VertexKind kind = vertex_kind(mesh, mesh.source(h), rules);
+  if (kind == VertexKind::free) return false;
+  return kind == VertexKind::corner || !is_feature(mesh, mesh.edge(h), rules);
+}
+
+}  // namespace
+
+Refusal may_collapse_to(const Mesh& mesh, Mesh::Halfedge_index h, const Point& to,
+                        const CollapseRules& rules) {
+  if (!keeps_manifold(mesh, h)) return Refusal::link;
+  const Refusal shape = judge(collapse_change(mesh, h, to), rules);
+  if (shape != Refusal::none) return shape;
+  if (rules.cos_feature < -1) return Refusal::none;
+  const bool target_moves = to != to_point(mesh.point(mesh.target(h)));
+  if (leaves_feature(mesh, h, rules) ||
+      (target_moves && vertex_kind(mesh, mesh.target(h), rules) != VertexKind::free))
+    return Refusal::feature;
+  return Refusal::none;
+}
+
+Refusal may_collapse(const Mesh& mesh, Mesh::Halfedge_index h, const CollapseRules& rules) {
+  return may_collapse_to(mesh, h, to_point(mesh.point(mesh.target(h))), rules);
+}
+
+Mesh::Vertex_index collapse(Mesh& mesh, Mesh::Halfedge_index h) {
+  // Euler::collapse_edge keeps the end that the edge's first halfedge points to; these are its own
+  // three steps, with `h` in that place.
+  const auto left = mesh.opposite(mesh.prev(h));
+  const auto right = mesh.opposite(mesh.prev(mesh.opposite(h)));
+  const auto stays = mesh.target(h);
+  CGAL::Euler::join_face(left, mesh);
+  CGAL::Euler::join_face(right, mesh);
+  CGAL::Euler::join_vertex(h, mesh);
+  return stays;
+}
+
+bool sweeps_node(const Mesh& mesh, Mesh::Vertex_index v, const Point& to, const Lattice& lattice,
+                 const Oracle& oracle) {
+  const Point from = to_point(mesh.point(v));
+  for (const auto h : mesh.halfedges_around_target(mesh.halfedge(v))) {
+    const Point a = to_point(mesh.point(mesh.target(mesh.next(h))));
+    const Point b = to_point(mesh.point(mesh.source(h)));
+    if (holds_node(from, to, a, b, lattice, oracle)) return true;
+  }
+  return false;
+}
+
+}  // namespace suture

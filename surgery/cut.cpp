@@ -1,0 +1,102 @@
+// Each touched triangle keeps its pieces outside the region, merged where that is safe [§6.1].
+#include "surgery/cut.h"
+
+#include <algorithm>
+#include <map>
+
+#include "surgery/kept_pieces.h"
+
+namespace suture {
+
+namespace {
+
+enum class Touch { outside, partly, inside };
+
+/// Whether the triangle's cells are all outside the region, all in it, or both.
+Touch touch(const CutInput& in, std::uint32_t t) {
+  bool some = false, all = true;
+  for_each_cell(in.mesh, in.crossings, t, [&](LatticeId cell) {
+    const bool held = in.region.holds(cell);
+    some |= held;
+    all &= held;
+  });
+  return !some ? Touch::outside : all ? Touch::inside : Touch::partly;
+}
+
+/// Cuts triangles until no one's demand for more vertices on an edge is left unheard by its
+/// neighbour.
+class Cutter {
+ public:
+  Cutter(const CutInput& input, Pieces pieces, Sites& sites)
+      : in_(input), sites_(sites), inserted_(input.crossings.edge_crossings.size(), 0) {
+    for (std::uint32_t t = 0; t < in_.mesh.triangles.size(); ++t) {
+      const Touch how = touch(in_, t);
+      if (how == Touch::inside) done_[t] = {};
+      if (how == Touch::partly) waiting_.push_back(t);
+      if (how == Touch::partly && pieces == Pieces::cell_by_cell) split_.insert_or_assign(t, 1);
+    }
+    for (const auto& [t, unused] : split_) insert_all(t);
+  }
+
+  CutMesh run() {
+    for (std::size_t next = 0; next < waiting_.size(); ++next) cut_triangle(waiting_[next]);
+    CutMesh result;
+    for (const auto& [t, kept] : done_) {
+      result.touched.push_back(t);
+      result.kept.insert(result.kept.end(), kept.triangles.begin(), kept.triangles.end());
+      result.boundary.insert(result.boundary.end(), kept.arcs.begin(), kept.arcs.end());
+    }
+    result.split_triangles = split_.size();
+    return result;
+  }
+
+ private:
+  void cut_triangle(std::uint32_t t) {
+    const TrianglePieces pieces =
+        triangle_pieces(in_.mesh, t, in_.lattice, in_.oracle, in_.crossings);
+    KeptPieces kept(in_, t, pieces, sites_);
+    if (!split_.contains(t)) {
+      if (auto merged = kept.merged(inserted_)) {
+        done_[t] = {std::move(*merged), kept.arcs()};
+        return;
+      }
+      split_.emplace(t, 1);
+      insert_all(t);
+    }
+    done_[t] = {kept.cell_by_cell(), kept.arcs()};
+  }
+
+  /// Every crossing of the triangle's edges becomes a vertex, so its neighbours must be cut again.
+  void insert_all(std::uint32_t t) {
+    for (const std::uint32_t e : in_.mesh.triangle_edges[t]) {
+      bool fresh = false;
+      for (std::uint32_t c = in_.crossings.edge_begin[e]; c < in_.crossings.edge_begin[e + 1];
+           ++c) {
+        fresh |= inserted_[c] == 0;
+        inserted_[c] = 1;
+      }
+      const auto& [a, b] = in_.mesh.edge_triangles[e];
+      const std::uint32_t neighbour = a == t ? b : a;
+      if (fresh && !split_.contains(neighbour)) waiting_.push_back(neighbour);
+    }
+  }
+
+  struct Kept {
+    std::vector<Triangle> triangles;
+    std::vector<Arc> arcs;
+  };
+  const CutInput& in_;
+  Sites& sites_;
+  std::vector<char> inserted_;  // by edge crossing: a vertex although no region boundary is there
+  std::vector<std::uint32_t> waiting_;
+  std::map<std::uint32_t, Kept> done_;
+  std::map<std::uint32_t, char> split_;
+};
+
+}  // namespace
+
+CutMesh cut(const CutInput& input, Pieces pieces, Sites& sites) {
+  return Cutter(input, pieces, sites).run();
+}
+
+}  // namespace suture

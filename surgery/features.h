@@ -1,0 +1,23 @@
+// Sharp edges and corners, and which vertices they hold in place [§6.2].
+#pragma once
+
+#include "surgery/local_change.h"
+
+namespace suture {
+
+/// What a vertex is on: nothing; a crease that passes through it nearly straight; or a corner, a
+/// crease's end or a sharp turn of it, any of which must stay.
+enum class VertexKind { free, crease, corner };
+
+Corners corners(const Mesh& mesh, Mesh::Face_index f);
+
+/// Unit normal; for a sliver that of the face across its longest edge; zero where that is one too.
+Point reliable_normal(const Mesh& mesh, Mesh::Face_index f, double sliver_height);
+
+/// Whether the normals at `e` differ by more than rules.cos_feature says.
+bool is_feature(const Mesh& mesh, Mesh::Edge_index e, const CollapseRules& rules);
+
+/// A crease is nearly straight where it turns by less than the feature angle.
+VertexKind vertex_kind(const Mesh& mesh, Mesh::Vertex_index v, const CollapseRules& rules);
+
+}  // namespace suture

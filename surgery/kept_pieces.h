@@ -1,0 +1,52 @@
+// What one cut triangle keeps: its pieces outside the region, as triangles, and the arcs it leaves.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "surgery/cut.h"
+#include "surgery/triangulate.h"
+
+namespace suture {
+
+/// The kept pieces of one triangle. All results name vertices by site.
+class KeptPieces {
+ public:
+  KeptPieces(const CutInput& input, std::uint32_t triangle, const TrianglePieces& pieces,
+             Sites& sites);
+
+  /// Pieces merged across lattice faces where both cells are outside the region. Vertices on mesh
+  /// edges: corners, crossings of the region's boundary, and those that `inserted` names. Nothing
+  /// where no safe triangulation exists: a diagonal must not join two vertices of one mesh edge nor
+  /// two that a patch could join too (both on one region cell), and all triangles must keep the
+  /// orientation.
+  std::optional<std::vector<Triangle>> merged(const std::vector<char>& inserted);
+
+  /// One polygon a cell, with every crossing a vertex.
+  std::vector<Triangle> cell_by_cell();
+
+  /// The kept sides on the region's boundary, reversed.
+  std::vector<Arc> arcs();
+
+ private:
+  bool kept(const PieceSide& s) const { return !in_.region.holds(s.cell); }
+  bool on_boundary(const PieceSide& s) const {
+    return s.neighbour == kNoCell || in_.region.holds(s.neighbour);
+  }
+  std::uint32_t next_on_boundary(std::uint32_t side) const;
+  std::vector<std::uint32_t> loop_from(std::uint32_t side, const std::vector<char>& inserted,
+                                       std::vector<char>& seen) const;
+  std::vector<std::uint32_t> components() const;
+  std::optional<std::vector<Triangle>> triangulate(
+      const std::vector<std::vector<std::uint32_t>>& loops);
+  bool forbidden(std::uint32_t a, std::uint32_t b) const;
+  std::uint32_t global(std::uint32_t local);
+
+  const CutInput& in_;
+  std::uint32_t triangle_;
+  const TrianglePieces& pieces_;
+  Sites& sites_;
+  std::vector<std::uint32_t> global_;  // local site → site, kNone while not asked for
+};
+
+}  // namespace suture

@@ -1,0 +1,161 @@
+// Normals, lattice nodes and volume of one local operation [§6.2].
+#include "surgery/local_change.h"
+
+#include <CGAL/boost/graph/Euler_operations.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace suture {
+
+namespace {
+
+/// Area vectors of the star added up: which way it faces, whatever its slivers say.
+Point facing(const LocalChange& change) {
+  Point sum = Point::Zero();
+  for (const auto& t : change.triangles) sum += area_vector(t.before);
+  return sum;
+}
+
+bool turns_too_far(const LocalChange& change, const CollapseRules& rules) {
+  const Point mean = facing(change);
+  for (const auto& t : change.triangles) {
+    const Point was = area_vector(t.before), is = area_vector(t.after);
+    const double was_size = was.norm(), is_size = is.norm();
+    if (height(t.before, was_size) > rules.sliver_height) {
+      const double agreement = was.dot(is);
+      if (!(agreement > 0) || agreement < rules.cos_turn * was_size * is_size) return true;
+    } else if (height(t.after, is_size) > rules.sliver_height && mean.dot(is) < 0) {
+      return true;
+    }
+  }
+  return false;
+}
+
+struct NodeRange {
+  Index3 first, last;  ///< both included; empty where first > last on some axis
+  bool empty() const { return first[0] > last[0] || first[1] > last[1] || first[2] > last[2]; }
+};
+
+/// Nodes of the shifted lattice between two corners of a box: low <= plane < high on each axis.
+NodeRange nodes_between(const Point& low, const Point& high, const Lattice& lattice) {
+  NodeRange range{};
+  for (int axis = 0; axis < 3; ++axis) {
+    const auto a = static_cast<std::size_t>(axis);
+    range.first[a] = lattice.cell_of(axis, low[axis]) + 1;
+    range.last[a] = lattice.cell_of(axis, high[axis]);
+    if (range.first[a] > range.last[a]) break;
+  }
+  return range;
+}
+
+bool sweeps_any_node(const LocalChange& change, const Lattice& lattice, const Oracle& oracle) {
+  if (change.swept.empty()) return false;
+  Point low = change.swept.front()[0], high = low;
+  for (const auto& tetrahedron : change.swept)
+    for (const Point& p : tetrahedron) {
+      low = low.cwiseMin(p);
+      high = high.cwiseMax(p);
+    }
+  if (nodes_between(low, high, lattice).empty()) return false;
+  return std::any_of(change.swept.begin(), change.swept.end(), [&](const auto& t) {
+    return holds_node(t[0], t[1], t[2], t[3], lattice, oracle);
+  });
+}
+
+bool around(const Mesh& mesh, Mesh::Halfedge_index h, const Mesh::Halfedge_index removed) {
+  return mesh.face(h) == mesh.face(removed) || mesh.face(h) == mesh.face(mesh.opposite(removed));
+}
+
+}  // namespace
+
+double height(const Corners& t, double doubled_area) {
+  const double longest = std::max(
+      {(t[1] - t[0]).squaredNorm(), (t[2] - t[1]).squaredNorm(), (t[0] - t[2]).squaredNorm()});
+  return longest > 0 ? doubled_area / std::sqrt(longest) : 0;
+}
+
+double volume_moved(const LocalChange& change) {
+  double sum = 0;
+  for (const auto& t : change.swept)
+    sum += std::abs((t[1] - t[0]).dot((t[2] - t[0]).cross(t[3] - t[0])));
+  return sum / 6;
+}
+
+Refusal judge(const LocalChange& change, const CollapseRules& rules) {
+  if (turns_too_far(change, rules)) return Refusal::normal;
+  if (rules.lattice && sweeps_any_node(change, *rules.lattice, *rules.oracle)) return Refusal::node;
+  if (volume_moved(change) > rules.volume_bound) return Refusal::volume;
+  return Refusal::none;
+}
+
+void count_refusal(CollapseCounts& counts, Refusal refusal) {
+  switch (refusal) {
+    case Refusal::none:
+      break;
+    case Refusal::link:
+      ++counts.refused_link;
+      break;
+    case Refusal::normal:
+      ++counts.refused_normal;
+      break;
+    case Refusal::node:
+      ++counts.refused_node;
+      break;
+    case Refusal::volume:
+      ++counts.refused_volume;
+      break;
+    case Refusal::feature:
+      ++counts.refused_feature;
+      break;
+  }
+}
+
+LocalChange collapse_change(const Mesh& mesh, Mesh::Halfedge_index h, const Point& to) {
+  LocalChange change;
+  const auto add_star = [&](Mesh::Vertex_index v, bool first) {
+    const Point from = to_point(mesh.point(v));
+    if (from == to) return;
+    for (const auto g : mesh.halfedges_around_target(mesh.halfedge(v))) {
+      const bool goes = around(mesh, g, h);
+      if (goes && !first) continue;
+      const Point a = to_point(mesh.point(mesh.target(mesh.next(g))));
+      const Point b = to_point(mesh.point(mesh.source(g)));
+      if (!goes) change.triangles.push_back({{from, a, b}, {to, a, b}});
+      if (a != to && b != to) change.swept.push_back({from, to, a, b});
+    }
+  };
+  add_star(mesh.source(h), true);
+  add_star(mesh.target(h), false);  // the triangles that go have no extent left by then
+  return change;
+}
+
+bool keeps_manifold(const Mesh& mesh, Mesh::Halfedge_index h) {
+  const auto left = mesh.target(mesh.next(h));
+  const auto right = mesh.target(mesh.next(mesh.opposite(h)));
+  if (left == right || mesh.degree(left) <= 3 || mesh.degree(right) <= 3) return false;
+  return CGAL::Euler::does_satisfy_link_condition(mesh.edge(h), mesh);
+}
+
+bool holds_node(const Point& a, const Point& b, const Point& c, const Point& d,
+                const Lattice& lattice, const Oracle& oracle) {
+  const Point low = a.cwiseMin(b).cwiseMin(c).cwiseMin(d);
+  const Point high = a.cwiseMax(b).cwiseMax(c).cwiseMax(d);
+  const NodeRange range = nodes_between(low, high, lattice);
+  if (range.empty()) return false;
+  const int sign = oracle.orientation(a, b, c, d);
+  if (sign == 0) return false;  // a surface that stays in one plane passes no shifted node
+  for (int i = range.first[0]; i <= range.last[0]; ++i)
+    for (int j = range.first[1]; j <= range.last[1]; ++j)
+      for (int k = range.first[2]; k <= range.last[2]; ++k) {
+        const Point node = lattice.node({i, j, k});
+        if (oracle.triangle_side(a, b, c, node) == sign &&
+            oracle.triangle_side(a, c, d, node) == sign &&
+            oracle.triangle_side(a, d, b, node) == sign &&
+            oracle.triangle_side(b, d, c, node) == sign)
+          return true;
+      }
+  return false;
+}
+
+}  // namespace suture

@@ -1,0 +1,17 @@
+// Where the fill's own vertices go along their lattice edges [§6.1 step 5].
+#pragma once
+
+#include "surgery/distance_field.h"
+#include "surgery/options.h"
+#include "surgery/sites.h"
+
+namespace suture {
+
+/// Gives every isosurface vertex its position: the zero of D, linear between the edge's two nodes;
+/// or the mesh's own crossing from outside to inside (the middle one where there are several).
+/// Positions are clamped to the doubles of their lattice edge. `distance` is read for the former
+/// only.
+void place_isosurface(Placement placement, const Crossings& crossings, const Winding& winding,
+                      const Lattice& lattice, const DistanceField& distance, Sites& sites);
+
+}  // namespace suture

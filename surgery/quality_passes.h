@@ -1,0 +1,62 @@
+// The parts of mesh improvement, each a sweep over the mesh [§6.2]; `improve` puts them in order.
+#pragma once
+
+#include "surgery/features.h"
+#include "surgery/options.h"
+#include "surgery/report.h"
+
+namespace suture {
+
+/// A feature smaller than this many times the shortest edge is below what the mesh resolves: it may
+/// go if no other way is left to be rid of a short edge. Without it, creases that a flow folds into
+/// the mesh would pile up for ever.
+inline constexpr double kFeatureScale = 0.5;
+
+/// A triangle lower than this × edge_length counts as a sliver, whose normal says nothing.
+inline constexpr double kSliverHeight = 1e-3;
+
+/// What the sweeps share: the mesh, the limits in the scene's unit, and the counts.
+struct Improvement {
+  Mesh& mesh;
+  const QualityOptions& options;
+  CollapseRules rules;
+  double longest, shortest;  ///< lengths
+  double sin_smallest_angle, cos_largest_angle;
+  QualityReport& report;
+};
+
+/// Extent and shape of a triangle, all that decides whether it is bad.
+struct Shape {
+  double smallest_sine = 0;       ///< of its smallest angle; 0 without area
+  double largest_cosine = -1;     ///< of its largest angle; -1 without area
+  int longest = 0, shortest = 0;  ///< edges, from corner i to i + 1
+};
+Shape shape_of(const Corners& t);
+
+bool is_bad(const Shape& shape, const Improvement& improvement);
+
+/// The halfedge of `f` from its corner i to i + 1, corners as corners() gives them.
+Mesh::Halfedge_index halfedge_of(const Mesh& mesh, Mesh::Face_index f, int i);
+
+Shape shape_of(const Mesh& mesh, Mesh::Face_index f);
+
+/// Smallest sine of any angle of the triangles before, or after.
+double worst_before(const LocalChange& change);
+double worst_after(const LocalChange& change);
+
+double length_of(const Mesh& mesh, Mesh::Halfedge_index h);
+
+/// Splits the edge of `h` at `at` and the two triangles beside it. \return the new vertex
+Mesh::Vertex_index split_edge(Mesh& mesh, Mesh::Halfedge_index h, const Point& at);
+/// The change that split_edge would be.
+LocalChange split_change(const Mesh& mesh, Mesh::Halfedge_index h, const Point& at);
+
+/// Each splits, collapses or flips what is too long, too short or bad, and returns how often.
+std::size_t subdivide_long_edges(Improvement& improvement);
+std::size_t collapse_short_edges(Improvement& improvement);
+std::size_t flip_bad_edges(Improvement& improvement);
+/// Bad triangles with an obtuse angle that no flip mends: the obtuse corner is put onto its longest
+/// edge.
+std::size_t flatten_caps(Improvement& improvement);
+
+}  // namespace suture

@@ -1,0 +1,25 @@
+// The region to be re-sampled: events, grown until its boundary is simple [§5.3].
+#pragma once
+
+#include <vector>
+
+#include "surgery/complex_cells.h"
+
+namespace suture {
+
+/// The cells whose mesh is cut out and replaced.
+struct Region {
+  SparseField<char> cells;
+
+  bool empty() const { return cells.empty(); }
+  bool holds(LatticeId cell) const { return cells.contains(cell); }
+  /// How many of the four cells round the lattice edge along `axis` are in the region.
+  int cells_round_edge(LatticeId edge, int axis) const;
+};
+
+/// Floods from the seeds across complex faces. Afterwards no complex edge and no face with a closed
+/// loop is on the region's boundary: each boundary edge is crossed at most once, from inside to
+/// outside.
+Region grow_region(const std::vector<LatticeId>& seeds, const CellSet& set);
+
+}  // namespace suture

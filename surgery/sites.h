@@ -1,0 +1,69 @@
+// Where the vertices of the new surface lie: identity by site, never by coordinates [§6.1 steps 1,
+// 2, 5].
+#pragma once
+
+#include <array>
+#include <map>
+#include <vector>
+
+#include "surgery/crossings.h"
+#include "surgery/region.h"
+#include "surgery/winding.h"
+
+namespace suture {
+
+enum class SiteKind : std::uint8_t {
+  corner,      ///< a vertex of the old mesh that stays
+  type2,       ///< mesh edge × lattice face
+  type1,       ///< triangle × lattice edge
+  isosurface,  ///< the fill's own vertex on a lattice edge
+  centroid     ///< middle of a loop that no other triangulation fits
+};
+
+struct Site {
+  SiteKind kind;
+  std::int8_t axis = 0;      ///< type 2: across the face; type 1, isosurface: along the edge
+  std::uint32_t source = 0;  ///< corner: the old vertex; type 2: index in edge_crossings
+  LatticeId at = 0;          ///< type 2: the face; type 1, isosurface: the lattice edge
+  Point position = Point::Zero();
+};
+
+/// Hands out one number for each site and constructs its position once.
+class Sites {
+ public:
+  Sites(const Incidence& mesh, const Lattice& lattice, const Crossings& crossings,
+        const Winding& winding, const Region& region);
+
+  std::uint32_t corner(std::uint32_t vertex);
+  /// \param mesh_edge the edge that crossing `crossing` is on
+  std::uint32_t type2(std::uint32_t crossing, std::uint32_t mesh_edge);
+  /// The crossing of `triangle` with a lattice edge.
+  std::uint32_t type1(int axis, LatticeId edge, std::uint32_t triangle);
+  /// The site on a lattice edge of the region that parts inside from outside: type 1 where the edge
+  /// is on the region's boundary, an isosurface vertex (not yet placed) where all four cells are in
+  /// it. \throw InternalFailure if a boundary edge is not crossed exactly once
+  std::uint32_t on_lattice_edge(int axis, LatticeId edge);
+  std::uint32_t centroid(const Point& position);
+
+  const std::vector<Site>& all() const { return sites_; }
+  Site& operator[](std::uint32_t id) { return sites_[id]; }
+  const Site& operator[](std::uint32_t id) const { return sites_[id]; }
+
+  /// Where `triangle` meets the line of a lattice edge, correctly rounded, clamped to the edge.
+  Point crossing_position(int axis, LatticeId edge, std::uint32_t triangle) const;
+
+ private:
+  std::uint32_t add(Site site);
+
+  const Incidence& mesh_;
+  const Lattice& lattice_;
+  const Crossings& crossings_;
+  const Winding& winding_;
+  const Region& region_;
+  std::vector<Site> sites_;
+  SparseField<std::uint32_t> corners_, type2_;         // number + 1; 0 is "none yet"
+  std::array<SparseField<std::uint32_t>, 3> on_edge_;  // edges at the region: one site each
+  std::map<std::array<std::uint64_t, 3>, std::uint32_t> kept_;  // elsewhere: (triangle, axis, edge)
+};
+
+}  // namespace suture

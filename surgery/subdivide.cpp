@@ -1,0 +1,87 @@
+// Long edges are split, the longest first [§6.2].
+#include <queue>
+#include <tuple>
+
+#include "surgery/quality_passes.h"
+
+namespace suture {
+
+namespace {
+
+struct LongEdge {
+  double length;
+  Mesh::Edge_index edge;
+  bool operator<(const LongEdge& b) const {
+    return std::tie(length, b.edge) < std::tie(b.length, edge);
+  }
+};
+
+Point vertex_normal(const Mesh& mesh, Mesh::Vertex_index v) {
+  Point sum = Point::Zero();
+  for (const auto h : mesh.halfedges_around_target(mesh.halfedge(v)))
+    sum += area_vector(corners(mesh, mesh.face(h)));
+  return sum.normalized();
+}
+
+Point midpoint(const Mesh& mesh, Mesh::Halfedge_index h) {
+  return (to_point(mesh.point(mesh.source(h))) + to_point(mesh.point(mesh.target(h)))) / 2;
+}
+
+/// Middle of the cubic of Vlachos et al.'s curved PN triangles along the edge; on features, whose
+/// vertex normals mean nothing, the midpoint.
+Point curved_point(const Improvement& work, Mesh::Halfedge_index h) {
+  const Mesh& mesh = work.mesh;
+  const Point middle = midpoint(mesh, h);
+  if (vertex_kind(mesh, mesh.source(h), work.rules) != VertexKind::free ||
+      vertex_kind(mesh, mesh.target(h), work.rules) != VertexKind::free)
+    return middle;
+  const Point along = to_point(mesh.point(mesh.target(h))) - to_point(mesh.point(mesh.source(h)));
+  const Point at_source = vertex_normal(mesh, mesh.source(h));
+  const Point at_target = vertex_normal(mesh, mesh.target(h));
+  return middle - (along.dot(at_source) * at_source - along.dot(at_target) * at_target) / 8;
+}
+
+/// Where to split: the point asked for if the rules allow it, else the middle, else off the middle,
+/// where rounding may not push a lattice node through the surface.
+Refusal choose_point(const Improvement& work, Mesh::Halfedge_index h, Point& at) {
+  const Point a = to_point(work.mesh.point(work.mesh.source(h)));
+  const Point b = to_point(work.mesh.point(work.mesh.target(h)));
+  const Point middle = midpoint(work.mesh, h);
+  Refusal refusal = Refusal::none;
+  for (const Point& p :
+       {work.options.subdivision == Subdivision::curved ? curved_point(work, h) : middle, middle,
+        Point(0.4375 * a + 0.5625 * b), Point(0.5625 * a + 0.4375 * b)}) {
+    at = p;
+    refusal = judge(split_change(work.mesh, h, p), work.rules);
+    if (refusal == Refusal::none) break;
+  }
+  return refusal;
+}
+
+}  // namespace
+
+std::size_t subdivide_long_edges(Improvement& work) {
+  Mesh& mesh = work.mesh;
+  std::priority_queue<LongEdge> queue;
+  const auto push_if_long = [&](Mesh::Halfedge_index h) {
+    const double length = length_of(mesh, h);
+    if (length > work.longest) queue.push({length, mesh.edge(h)});
+  };
+  for (const auto e : mesh.edges()) push_if_long(mesh.halfedge(e));
+  std::size_t done = 0;
+  while (!queue.empty()) {
+    const LongEdge next = queue.top();
+    queue.pop();
+    const auto h = mesh.halfedge(next.edge);
+    if (length_of(mesh, h) != next.length) continue;
+    Point at;
+    if (choose_point(work, h, at) != Refusal::none) continue;
+    const auto v = split_edge(mesh, h, at);
+    ++done;
+    for (const auto g : mesh.halfedges_around_target(mesh.halfedge(v))) push_if_long(g);
+  }
+  work.report.subdivisions += done;
+  return done;
+}
+
+}  // namespace suture

@@ -1,0 +1,158 @@
+// The filtered oracle against its rational twin, where signs are close to call.
+#include <catch2/catch.hpp>
+#include <cstdio>
+#include <string>
+
+#include "predicates/oracle.h"
+#include "tests/brute/near_degenerate.h"
+
+using namespace suture;
+using namespace suture::brute;
+
+namespace {
+
+// Ten families times three predicates times these: 1,080,000 decisions.
+constexpr int kCasesAFamily = 36'000;
+
+std::string show(const Points4& points) {
+  std::string text;
+  char number[40];
+  for (const Point& p : points)
+    for (double x : p) {
+      std::snprintf(number, sizeof number, "%a ", x);
+      text += number;
+    }
+  return text;
+}
+
+LatticePoint2 lattice_point(const Point& at, Random& random) {
+  const int u = random.below(3), v = (u + random.between(1, 2)) % 3;
+  return {u, v, at[u], at[v]};
+}
+
+struct Twins {
+  std::unique_ptr<Oracle> filtered = make_filtered_oracle(), rational = make_rational_oracle();
+};
+
+/// What disagrees, with the points; empty if nothing does.
+template <class Question>
+std::string disagreement(Family family, const Question& ask) {
+  Random random(static_cast<std::uint64_t>(family) + 1);
+  const Twins twins;
+  for (int i = 0; i < kCasesAFamily; ++i) {
+    const Points4 points = near_degenerate(family, random);
+    const Random start = random;
+    const int filtered = ask(*twins.filtered, points, random);
+    random = start;
+    const int rational = ask(*twins.rational, points, random);
+    if (filtered != rational)
+      return std::to_string(filtered) + " is not " + std::to_string(rational) + ": " + show(points);
+  }
+  return "";
+}
+
+/// The first case for which `holds` does not, on the filtered oracle; empty if there is none.
+template <class Property>
+std::string exception_to(Family family, const Property& holds) {
+  Random random(static_cast<std::uint64_t>(family) + 101);
+  const auto oracle = make_filtered_oracle();
+  for (int i = 0; i < kCasesAFamily; ++i) {
+    const Points4 points = near_degenerate(family, random);
+    if (!holds(*oracle, points, random)) return show(points);
+  }
+  return "";
+}
+
+}  // namespace
+
+TEST_CASE("both oracles see a lattice line on the same side of an edge") {
+  for (Family family : kFamilies) {
+    INFO(family);
+    CHECK(disagreement(family, [](const Oracle& oracle, const Points4& p, Random& random) {
+            return oracle.edge_side(p[0], p[1], lattice_point(p[2], random));
+          }) == "");
+  }
+}
+
+TEST_CASE("both oracles see a lattice node on the same side of a triangle") {
+  for (Family family : kFamilies) {
+    INFO(family);
+    CHECK(disagreement(family, [](const Oracle& oracle, const Points4& p, Random&) {
+            return oracle.triangle_side(p[0], p[1], p[2], p[3]);
+          }) == "");
+  }
+}
+
+TEST_CASE("both oracles give four points the same orientation") {
+  for (Family family : kFamilies) {
+    INFO(family);
+    CHECK(disagreement(family, [](const Oracle& oracle, const Points4& p, Random&) {
+            return oracle.orientation(p[0], p[1], p[2], p[3]);
+          }) == "");
+  }
+}
+
+TEST_CASE("turning an edge or the axes round turns the side round") {
+  for (Family family : kFamilies) {
+    INFO(family);
+    CHECK(exception_to(family, [](const Oracle& oracle, const Points4& p, Random& random) {
+            const LatticePoint2 at = lattice_point(p[2], random);
+            const int side = oracle.edge_side(p[0], p[1], at);
+            return side == -oracle.edge_side(p[1], p[0], at) &&
+                   side == -oracle.edge_side(p[0], p[1], {at.v_axis, at.u_axis, at.v, at.u});
+          }) == "");
+  }
+}
+
+TEST_CASE("a triangle's side follows the order of its corners") {
+  for (Family family : kFamilies) {
+    INFO(family);
+    CHECK(exception_to(family, [](const Oracle& oracle, const Points4& p, Random&) {
+            const int side = oracle.triangle_side(p[0], p[1], p[2], p[3]);
+            return side == oracle.triangle_side(p[1], p[2], p[0], p[3]) &&
+                   side == -oracle.triangle_side(p[1], p[0], p[2], p[3]) &&
+                   side == -oracle.triangle_side(p[0], p[2], p[1], p[3]);
+          }) == "");
+  }
+}
+
+TEST_CASE("orientation changes sign with every swap of its points") {
+  for (Family family : kFamilies) {
+    INFO(family);
+    CHECK(exception_to(family, [](const Oracle& oracle, const Points4& p, Random&) {
+            const int sign = oracle.orientation(p[0], p[1], p[2], p[3]);
+            return sign == -oracle.orientation(p[1], p[0], p[2], p[3]) &&
+                   sign == -oracle.orientation(p[0], p[1], p[3], p[2]) &&
+                   sign == -oracle.orientation(p[3], p[1], p[2], p[0]);
+          }) == "");
+  }
+}
+
+TEST_CASE("an edge has no side only where it projects to a point") {
+  for (Family family : kFamilies) {
+    INFO(family);
+    CHECK(exception_to(family, [](const Oracle& oracle, const Points4& p, Random& random) {
+            const LatticePoint2 at = lattice_point(p[2], random);
+            const bool point =
+                p[0][at.u_axis] == p[1][at.u_axis] && p[0][at.v_axis] == p[1][at.v_axis];
+            return (oracle.edge_side(p[0], p[1], at) == 0) == point;
+          }) == "");
+  }
+}
+
+TEST_CASE("the filter decides all random input and admits where it cannot") {
+  Random random(7);
+  const auto oracle = make_filtered_oracle();
+  for (int i = 0; i < 10'000; ++i) {
+    const Points4 p = near_degenerate(Family::random, random);
+    oracle->triangle_side(p[0], p[1], p[2], p[3]);
+    oracle->edge_side(p[0], p[1], lattice_point(p[2], random));
+  }
+  CHECK(oracle->counts().triangle_side == 10'000);
+  CHECK(oracle->counts().edge_side == 10'000);
+  CHECK(oracle->counts().filter_failures == 0);
+  oracle->reset_counts();
+  oracle->orientation({0, 0, 0}, {3, 1, 1}, {1, 3, 1}, {4, 4, 2});
+  CHECK(oracle->counts().orientation == 1);
+  CHECK(oracle->counts().filter_failures == 1);
+}
