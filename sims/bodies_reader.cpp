@@ -9,6 +9,7 @@
 #include "kernel/audit.h"
 #include "kernel/errors.h"
 #include "kernel/mesh_io.h"
+#include "kernel/random.h"
 #include "kernel/repair.h"
 #include "kernel/shape_catalogue.h"
 #include "kernel/transform.h"
@@ -17,6 +18,8 @@ namespace suture {
 namespace {
 
 namespace fs = std::filesystem;
+
+constexpr double kMostCopies = 1e6;  // beyond it a count is surely a slip
 
 /// Where a model of this name is: in $SUTURE_MODELS, or in data/models seen from the scene's
 /// folder.
@@ -96,22 +99,40 @@ Triangles placed(Triangles surface, Keys& keys) {
   return translated(surface, keys.vector("translate", Point::Zero()));
 }
 
+/// Where the copies of a body go: one as it is, or many at seeded random places in a box.
+std::vector<Point> scattered(Keys& keys) {
+  const std::int64_t copies = keys.integer("copies", Range::between(1, kMostCopies), 1);
+  const std::int64_t seed = keys.integer("scatter_seed", Range::at_least(0), 1);
+  const Point low = keys.vector("scatter_low", Point::Zero());
+  const Point high = keys.vector("scatter_high", low);
+  Random random(static_cast<std::uint64_t>(seed));
+  std::vector<Point> places;
+  for (std::int64_t i = 0; i < copies; ++i) {
+    Point place;
+    for (int axis = 0; axis < 3; ++axis) place[axis] = random.uniform(low[axis], high[axis]);
+    places.push_back(place);
+  }
+  return places;
+}
+
 void read_body(TomlTable& body, const fs::path& folder, Bodies& bodies) {
   body.allow_tables({"parameters"});
   Keys& keys = body.keys;
   Source source = read_source(body, folder, bodies.notes);
   if (keys.flag("repair", false)) {
-    const RepairReport report = repair(source.surface);
-    if (report.changed()) bodies.notes.push_back(source.name + ": " + report.words());
+    for (const std::string& done : repair(source.surface).in_words())
+      bodies.notes.push_back(source.name + ": " + done);
   }
   keys.text("fallback", "");
   require_usable(source.surface, body.where + ": " + source.name);
   source.surface = placed(std::move(source.surface), keys);
   const Point velocity = keys.vector("velocity", Point::Zero());
+  const std::vector<Point> places = scattered(keys);
   keys.done();
-  bodies.velocities.insert(bodies.velocities.end(), source.surface.positions.size(), velocity);
-  const std::vector<Triangles> both = {std::move(bodies.surface), std::move(source.surface)};
-  bodies.surface = merged(both);
+  std::vector<Triangles> all = {std::move(bodies.surface)};
+  for (const Point& place : places) all.push_back(translated(source.surface, place));
+  bodies.surface = merged(all);
+  bodies.velocities.resize(bodies.surface.positions.size(), velocity);
 }
 
 }  // namespace

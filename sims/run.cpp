@@ -44,7 +44,7 @@ class Run {
     const std::int64_t steps = scene_.time.steps();
     try {
       record(0);
-      for (std::int64_t i = 1; i <= steps; ++i) {
+      for (std::int64_t i = 1; i <= steps && !vanished(); ++i) {
         step(i);
         const std::size_t parts = record(i);
         if (watcher != nullptr)
@@ -53,13 +53,13 @@ class Run {
     } catch (const InvalidInput& error) {
       stop(error.what());
       throw InvalidInput(
-          fmt::format("{}: step {}: {}", scene_.file.string(), summary_.steps + 1, error.what()));
+          fmt::format("{}: step {}: {}", scene_.file.string(), summary_.steps, error.what()));
     } catch (const std::exception& error) {
       const fs::path mesh = folder_ / "reproducer.ply";
       write_triangles(mesh, tracker_.surface());
       stop(error.what());
       throw InternalFailure(
-          fmt::format("step {}", summary_.steps + 1),
+          fmt::format("step {}", summary_.steps),
           fmt::format("{}; the surface is saved as {}", error.what(), mesh.string()));
     }
     summary_.audit = audit(tracker_.surface());
@@ -82,16 +82,20 @@ class Run {
                          "); choose another");
   }
 
+  /// Whether nothing is left to move: every part got thinner than a cell and was split away.
+  bool vanished() const { return tracker_.surface().triangles.empty(); }
+
   void step(std::int64_t index) {
     const TimeOptions& time = scene_.time;
     const double until = std::min(static_cast<double>(index) * time.step, time.end);
     const double dt = until - tracker_.time();
     phase().advance(tracker_, dt);
+    summary_.steps = index;
     for (double& f : freshness_) f = fading_ > 0 ? std::max(0.0, f - dt / fading_) : 0.0;
     const bool last = index == time.steps();
     if (time.remodel_every > 0 && (index % time.remodel_every == 0 || last)) remodel(index);
-    if (time.improve_every > 0 && (index % time.improve_every == 0 || last)) improve(index);
-    summary_.steps = index;
+    if (time.improve_every > 0 && (index % time.improve_every == 0 || last) && !vanished())
+      improve(index);
   }
 
   Motion& phase() {
@@ -152,7 +156,7 @@ class Run {
     now["seconds"] = watch_.lap();
     const auto parts = now["components"].get<std::size_t>();
     const OutputOptions& output = scene_.output;
-    const bool mesh = output.meshes.wants(index, scene_.time);
+    const bool mesh = output.meshes.wants(index, scene_.time) && !vanished();
     const bool picture = output.pictures.wants(index, scene_.time);
     if (mesh) {
       const std::string name = fmt::format("{:05}.{}", index, output.mesh_format);
@@ -181,15 +185,17 @@ class Run {
   /// Brings the report up to date; `failure` says why the run ends here, or nothing.
   void stop(const std::string& failure) {
     const RunSummary& s = summary_;
-    report_["summary"] = {{"finished", s.steps == scene_.time.steps() && failure.empty()},
-                          {"steps", s.steps},
-                          {"steps_asked", scene_.time.steps()},
-                          {"remodels", s.remodels},
-                          {"committed", s.committed},
-                          {"refused", s.refused},
-                          {"merges", s.merges},
-                          {"splits", s.splits},
-                          {"failure", failure}};
+    report_["summary"] = {
+        {"finished", (s.steps == scene_.time.steps() || vanished()) && failure.empty()},
+        {"vanished", vanished()},
+        {"steps", s.steps},
+        {"steps_asked", scene_.time.steps()},
+        {"remodels", s.remodels},
+        {"committed", s.committed},
+        {"refused", s.refused},
+        {"merges", s.merges},
+        {"splits", s.splits},
+        {"failure", failure}};
     write_file(folder_ / "report.json", report_.dump(1) + "\n");
   }
 

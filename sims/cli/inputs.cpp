@@ -16,8 +16,8 @@ namespace suture {
 Triangles read_input(const std::string& file, const Inputs& inputs) {
   Triangles surface = read_triangles(file);
   if (!inputs.mend) return surface;
-  const RepairReport report = repair(surface);
-  if (report.changed()) fmt::print(stderr, "{}: {}\n", file, report.words());
+  for (const std::string& done : repair(surface).in_words())
+    fmt::print(stderr, "{}: {}\n", file, done);
   return surface;
 }
 

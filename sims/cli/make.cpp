@@ -40,6 +40,17 @@ void make(const Settings& s) {
              surface.triangles.size());
 }
 
+std::string shapes_help() {
+  std::string help = "Shapes, and their parameters with defaults:\n";
+  for (const ShapeInfo& shape : shape_catalogue()) {
+    help += fmt::format("\n{}: {}\n", shape.name, shape.meaning);
+    for (const ShapeParameter& p : shape.parameters)
+      help += fmt::format("  {:<24}{} ({})\n", fmt::format("{}={}", p.name, p.value), p.meaning,
+                          p.unit);
+  }
+  return help;
+}
+
 }  // namespace
 
 void add_make(CLI::App& app, int& exit) {
