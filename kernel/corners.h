@@ -44,6 +44,19 @@ class Corners {
     return {corners_.data() + first_[vertex], first_[vertex + 1] - first_[vertex]};
   }
 
+  /// Calls f(triangle, whether it runs from a to b) for each use of the edge (a, b), walking round
+  /// the end with fewer triangles: so all edges of a surface together take linear time even where
+  /// one vertex has nearly all triangles.
+  template <class F>
+  void for_each_use(std::uint32_t a, std::uint32_t b, F f) const {
+    const bool at_a = of(a).size() <= of(b).size();
+    const std::uint32_t v = at_a ? a : b, other = at_a ? b : a;
+    for (const Corner& c : of(v)) {
+      if (c.next == other) f(c.triangle, at_a);
+      if (c.prev == other) f(c.triangle, !at_a);
+    }
+  }
+
  private:
   std::vector<std::size_t> first_;
   std::vector<Corner> corners_;

@@ -8,7 +8,7 @@
 namespace suture {
 
 /// The mesh in a file, its format by the extension: .obj, .off, .ply (text or binary) or .stl (text
-/// or binary; exactly equal points are welded). Polygons are triangulated as fans; whether the
+/// or binary; exactly equal points are welded). Polygons are triangulated; whether the
 /// result is closed and manifold is left to `audit`. \throw InvalidInput if the file is missing,
 /// incomplete, damaged, empty of triangles, or has coordinates that are not finite or indices out
 /// of range: with file, line or element, count and what to do

@@ -1,34 +1,10 @@
 // From polygons to triangles, and the faults that every format can have.
 #include "kernel/formats/builder.h"
 
-#include <Eigen/Geometry>
-
 #include "kernel/errors.h"
+#include "kernel/formats/polygon.h"
 
 namespace suture {
-
-namespace {
-
-Point normal(const Point& a, const Point& b, const Point& c) { return (b - a).cross(c - a); }
-
-// The corner whose fan has no triangle turned against the polygon's whole normal; 0 if none has.
-std::size_t fan_centre(const std::vector<Point>& at, std::span<const std::int64_t> corners) {
-  const std::size_t n = corners.size();
-  const auto p = [&](std::size_t i) -> const Point& {
-    return at[static_cast<std::size_t>(corners[i % n])];
-  };
-  Point whole = Point::Zero();
-  for (std::size_t i = 1; i + 1 < n; ++i) whole += normal(p(0), p(i), p(i + 1));
-  for (std::size_t c = 0; c < n; ++c) {
-    bool good = true;
-    for (std::size_t i = 1; i + 1 < n && good; ++i)
-      good = normal(p(c), p(c + i), p(c + i + 1)).dot(whole) > 0;
-    if (good) return c;
-  }
-  return 0;
-}
-
-}  // namespace
 
 void SurfaceBuilder::add_position(const Point& p, std::size_t line) {
   surface_.positions.push_back(p);
@@ -94,11 +70,8 @@ Triangles SurfaceBuilder::finish() && {
   surface_.triangles.reserve(corners_.size() - 2 * face_end_.size());
   std::size_t begin = 0;
   for (const std::size_t end : face_end_) {
-    const std::span<const std::int64_t> face(corners_.data() + begin, end - begin);
-    const std::size_t n = face.size();
-    const std::size_t c = n == 3 ? 0 : fan_centre(surface_.positions, face);
-    const auto v = [&](std::size_t i) { return static_cast<std::uint32_t>(face[(c + i) % n]); };
-    for (std::size_t i = 1; i + 1 < n; ++i) surface_.triangles.push_back({v(0), v(i), v(i + 1)});
+    triangulate_polygon(surface_.positions, {corners_.data() + begin, end - begin},
+                        surface_.triangles);
     begin = end;
   }
   return std::move(surface_);

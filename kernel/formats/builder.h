@@ -21,9 +21,9 @@ class SurfaceBuilder {
 
   std::size_t positions() const { return surface_.positions.size(); }
 
-  /// Polygons become fans, from a corner where no triangle of the fan is turned over if there is
-  /// one. \throw InvalidInput if the mesh is empty, a coordinate is not finite or an index is out
-  /// of range: with the count, and the line or element of the first
+  /// Polygons are cut by `triangulate_polygon`. \throw InvalidInput if the mesh is empty, a
+  /// coordinate is not finite or an index is out of range: with the count, and the line or element
+  /// of the first
   Triangles finish() &&;
 
  private:

@@ -1,0 +1,17 @@
+// Polygons with more than three corners, cut into triangles.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "kernel/triangles.h"
+
+namespace suture {
+
+/// Appends triangles that cover the polygon with the corners `corners` of `positions`: the fan
+/// round the first corner where no triangle of it is turned over, else ears cut off one by one in
+/// the projection along the polygon's normal. \pre at least three corners, all in range
+void triangulate_polygon(const std::vector<Point>& positions, std::span<const std::int64_t> corners,
+                         std::vector<Triangle>& triangles);
+
+}  // namespace suture

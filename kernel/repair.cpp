@@ -1,0 +1,221 @@
+// The steps of a repair, each of which leaves the surface valid for the next.
+#include "kernel/repair.h"
+
+#include <algorithm>
+#include <array>
+#include <numeric>
+
+#include "kernel/audit.h"
+#include "kernel/corners.h"
+#include "kernel/errors.h"
+#include "kernel/orientation.h"
+#include "kernel/weld.h"
+
+namespace suture {
+
+namespace {
+
+std::size_t drop(Triangles& surface, const std::vector<std::uint8_t>& gone) {
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < gone.size(); ++i)
+    if (gone[i] == 0) surface.triangles[kept++] = surface.triangles[i];
+  surface.triangles.resize(kept);
+  return gone.size() - kept;
+}
+
+std::size_t drop_degenerate(Triangles& surface) {
+  return std::erase_if(surface.triangles,
+                       [&](const Triangle& t) { return !usable(t, surface.positions.size()); });
+}
+
+bool same_vertices(const Triangle& a, Triangle b) {
+  return std::is_permutation(a.begin(), a.end(), b.begin());
+}
+
+// Whether an odd number of triangles other than those on the vertices of `t` have its edge k.
+bool edge_needs_it(const Triangles& surface, const Corners& corners, const Triangle& t,
+                   std::size_t k) {
+  std::size_t others = 0;
+  corners.for_each_use(t[k], t[(k + 1) % 3], [&](std::uint32_t other, bool) {
+    if (!same_vertices(t, surface.triangles[other])) ++others;
+  });
+  return others % 2 == 1;
+}
+
+std::size_t drop_duplicates(Triangles& surface) {
+  const Corners corners(surface);
+  std::vector<std::uint8_t> gone(surface.triangles.size(), 0);
+  for (std::size_t i = 0; i < surface.triangles.size(); ++i) {
+    if (gone[i] != 0) continue;
+    const Triangle& t = surface.triangles[i];
+    std::size_t copies = 0;
+    corners.for_each_use(t[0], t[1], [&](std::uint32_t other, bool) {
+      if (other == i || !same_vertices(t, surface.triangles[other])) return;
+      gone[other] = 1;
+      ++copies;
+    });
+    if (copies == 0) continue;
+    bool needed = false;
+    for (std::size_t k = 0; k < 3; ++k) needed |= edge_needs_it(surface, corners, t, k);
+    gone[i] = needed ? 0 : 1;
+  }
+  return drop(surface, gone);
+}
+
+// A border edge by the first vertices at its two points, lower one first, and its own vertices.
+struct BorderEdge {
+  std::array<std::uint32_t, 2> points, vertices;
+};
+
+std::vector<BorderEdge> border_edges(const Triangles& surface,
+                                     const std::vector<std::uint32_t>& first) {
+  const Corners corners(surface);
+  std::vector<BorderEdge> result;
+  for (const Triangle& t : surface.triangles)
+    for (std::size_t k = 0; k < 3; ++k) {
+      std::uint32_t a = t[k], b = t[(k + 1) % 3];
+      int uses = 0;
+      corners.for_each_use(a, b, [&](std::uint32_t, bool) { ++uses; });
+      if (uses != 1 || first[a] == first[b]) continue;
+      if (first[a] > first[b]) std::swap(a, b);
+      result.push_back({{first[a], first[b]}, {a, b}});
+    }
+  std::stable_sort(result.begin(), result.end(),
+                   [](const BorderEdge& a, const BorderEdge& b) { return a.points < b.points; });
+  return result;
+}
+
+std::uint32_t root(std::vector<std::uint32_t>& parent, std::uint32_t v) {
+  while (parent[v] != v) v = parent[v] = parent[parent[v]];
+  return v;
+}
+
+std::size_t weld_borders(Triangles& surface) {
+  const std::vector<BorderEdge> edges = border_edges(surface, first_equal(surface.positions));
+  std::vector<std::uint32_t> parent(surface.positions.size());
+  std::iota(parent.begin(), parent.end(), std::uint32_t{0});
+  std::size_t welded = 0;
+  for (std::size_t i = 0, end = 0; i < edges.size(); i = end) {
+    while (end < edges.size() && edges[end].points == edges[i].points) ++end;
+    if (end - i != 2) continue;
+    for (std::size_t k = 0; k < 2; ++k) {
+      const std::uint32_t a = root(parent, edges[i].vertices[k]);
+      const std::uint32_t b = root(parent, edges[i + 1].vertices[k]);
+      if (a != b) ++welded;
+      parent[std::max(a, b)] = std::min(a, b);
+    }
+  }
+  for (Triangle& t : surface.triangles)
+    for (std::uint32_t& v : t) v = root(parent, v);
+  return welded;
+}
+
+// Gives each further fan of triangles round a vertex a vertex of its own.
+std::size_t split_fans(Triangles& surface) {
+  const Corners corners(surface);
+  const std::size_t vertices = surface.positions.size();
+  std::vector<std::uint32_t> parent(vertices);
+  std::size_t added = 0;
+  for (std::size_t i = 0; i < vertices; ++i) {
+    const auto v = static_cast<std::uint32_t>(i);
+    const auto around = corners.of(v);
+    for (const Corner& c : around) {
+      parent[c.next] = c.next;
+      parent[c.prev] = c.prev;
+    }
+    for (const Corner& c : around) parent[root(parent, c.next)] = root(parent, c.prev);
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> fans;  // root of a fan, its vertex
+    for (const Corner& c : around) {
+      const std::uint32_t fan = root(parent, c.next);
+      auto found = std::find_if(fans.begin(), fans.end(), [&](auto& f) { return f.first == fan; });
+      if (found == fans.end()) {
+        const bool first = fans.empty();
+        fans.emplace_back(fan, first ? v : static_cast<std::uint32_t>(surface.positions.size()));
+        if (!first) {
+          surface.positions.push_back(Point(surface.positions[v]));
+          ++added;
+        }
+        found = fans.end() - 1;
+      }
+      for (std::uint32_t& corner : surface.triangles[c.triangle])
+        if (corner == v) corner = found->second;
+    }
+  }
+  return added;
+}
+
+std::size_t drop_unused(Triangles& surface) {
+  std::vector<std::uint32_t> renamed(surface.positions.size(), kNone);
+  for (const Triangle& t : surface.triangles)
+    for (const std::uint32_t v : t) renamed[v] = 0;
+  std::size_t kept = 0;
+  for (std::size_t v = 0; v < renamed.size(); ++v)
+    if (renamed[v] != kNone) {
+      surface.positions[kept] = surface.positions[v];
+      renamed[v] = static_cast<std::uint32_t>(kept++);
+    }
+  const std::size_t dropped = renamed.size() - kept;
+  surface.positions.resize(kept);
+  for (Triangle& t : surface.triangles)
+    for (std::uint32_t& v : t) v = renamed[v];
+  return dropped;
+}
+
+void say(std::vector<std::string>& words, std::size_t count, const char* one, const char* many) {
+  if (count > 0) words.push_back(std::to_string(count) + " " + (count == 1 ? one : many));
+}
+
+}  // namespace
+
+bool RepairReport::changed() const { return !in_words().empty(); }
+
+std::vector<std::string> RepairReport::in_words() const {
+  std::vector<std::string> words;
+  say(words, degenerate_triangles, "triangle that used a vertex twice was dropped",
+      "triangles that used a vertex twice were dropped");
+  say(words, duplicate_triangles, "repeated triangle was dropped",
+      "repeated triangles were dropped");
+  say(words, welded_vertices, "vertex was welded to another at the same point",
+      "vertices were welded to others at the same points");
+  say(words, turned_triangles, "triangle was turned to agree with its neighbours",
+      "triangles were turned to agree with their neighbours");
+  say(words, split_vertices, "vertex was added to part surfaces that met in a point",
+      "vertices were added to part surfaces that met in a point");
+  say(words, inside_out_components, "inside-out component was turned over",
+      "inside-out components were turned over");
+  say(words, isolated_vertices, "vertex without triangles was dropped",
+      "vertices without triangles were dropped");
+  return words;
+}
+
+RepairReport repair(Triangles& surface) {
+  RepairReport report;
+  const Audit before = audit(surface);
+  if (!before.finite() || before.indices_out_of_range > 0) return report;
+  report.degenerate_triangles = drop_degenerate(surface);
+  report.duplicate_triangles = drop_duplicates(surface);
+  const std::size_t unused = audit(surface).isolated_vertices;
+  report.welded_vertices = weld_borders(surface);
+  report.degenerate_triangles += drop_degenerate(surface);
+  report.duplicate_triangles += drop_duplicates(surface);
+  report.turned_triangles = orient_consistently(surface).triangles;
+  report.split_vertices = split_fans(surface);
+  const std::vector<std::uint32_t> wrong = inside_out_components(surface);
+  turn_components(surface, wrong);
+  report.inside_out_components = wrong.size();
+  drop_unused(surface);
+  report.isolated_vertices = unused;
+  return report;
+}
+
+void require_usable(const Triangles& surface, const std::string& name) {
+  require_closed_manifold(surface, name);
+  const std::vector<std::uint32_t> wrong = inside_out_components(surface);
+  if (wrong.empty()) return;
+  throw InvalidInput(name + ": " + std::to_string(wrong.size()) +
+                     (wrong.size() == 1 ? " component is" : " components are") +
+                     " inside-out (negative volume), the first holds triangle " +
+                     std::to_string(wrong[0]) + "; --repair turns such components over");
+}
+
+}  // namespace suture
