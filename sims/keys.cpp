@@ -60,6 +60,12 @@ std::string joined(const std::vector<std::string>& names) {
   return all;
 }
 
+std::vector<std::string> Keys::names() const {
+  std::vector<std::string> names;
+  for (const auto& [key, entry] : entries_) names.push_back(key);
+  return names;
+}
+
 const Keys::Entry* Keys::ask(const std::string& key) {
   asked_.insert(key);
   const auto at = entries_.find(key);

@@ -11,7 +11,6 @@
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
 #include <vtkClipPolyData.h>
-#include <vtkFloatArray.h>
 #include <vtkGenericOpenGLRenderWindow.h>
 #include <vtkImageData.h>
 #include <vtkImageResize.h>
@@ -20,7 +19,6 @@
 #include <vtkObjectFactory.h>
 #include <vtkPNGWriter.h>
 #include <vtkPlane.h>
-#include <vtkPointData.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
 #include <vtkPolyDataMapper.h>
@@ -35,7 +33,6 @@
 
 #include <cmath>
 #include <numbers>
-#include <stdexcept>
 
 #include "kernel/errors.h"
 
@@ -44,6 +41,7 @@ namespace {
 
 // Drawn this many times larger on each axis and shrunk again, which smooths edges.
 constexpr int kOversampling = 2;
+constexpr double kFilled = 0.9;     // share of the picture that what is shown may fill
 constexpr int kLargestSide = 8192;  // pixels drawn on a side; what software renderers allow
 
 /// An OpenGL context without window or display, current for as long as it lives.
@@ -74,8 +72,8 @@ class Context {
  private:
   [[noreturn]] void fail(const std::string& what) {
     close();
-    throw std::runtime_error("cannot draw: " + what +
-                             "; install libegl-mesa0 and libgl1-mesa-dri, or leave pictures out");
+    throw InvalidInput("cannot draw: " + what +
+                       "; install libegl-mesa0 and libgl1-mesa-dri, or ask for no pictures");
   }
   void close() {
     if (display_ == EGL_NO_DISPLAY) return;
@@ -152,21 +150,32 @@ void add_surface(vtkRenderer* renderer, vtkPolyData* data, const PictureOptions&
   vtkNew<vtkActor> actor;
   actor->SetMapper(mapper);
   vtkProperty* look = actor->GetProperty();
-  look->SetColor(0.87, 0.80, 0.69);
-  look->SetAmbient(0.22);
-  look->SetDiffuse(0.82);
-  look->SetSpecular(0.16);
-  look->SetSpecularPower(28);
+  look->SetColor(0.80, 0.83, 0.86);
+  look->SetAmbient(0.30);
+  look->SetDiffuse(0.80);
+  look->SetSpecular(0.14);
+  look->SetSpecularPower(30);
+  look->BackfaceCullingOn();
   if (options.edges) {
     look->EdgeVisibilityOn();
     look->SetEdgeColor(0.24, 0.25, 0.29);
     look->SetLineWidth(static_cast<float>(kOversampling) * 0.7f);
   }
-  // What is seen from behind is the inside of the material: only a cut shows it.
-  vtkNew<vtkProperty> inside;
-  inside->DeepCopy(look);
-  inside->SetColor(0.62, 0.29, 0.24);
-  actor->SetBackfaceProperty(inside);
+  renderer->AddActor(actor);
+}
+
+/// What is seen from behind is the inside of the material, and only a cut shows it: drawn in one
+/// flat colour it looks like the solid's section, without any need to make one.
+void add_section(vtkRenderer* renderer, vtkPolyData* data) {
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputData(data);
+  mapper->ScalarVisibilityOff();
+  vtkNew<vtkActor> actor;
+  actor->SetMapper(mapper);
+  vtkProperty* look = actor->GetProperty();
+  look->SetColor(0.80, 0.38, 0.27);
+  look->LightingOff();
+  look->FrontfaceCullingOn();
   renderer->AddActor(actor);
 }
 
@@ -183,8 +192,8 @@ void add_light(vtkRenderer* renderer, const Point& from, double intensity, const
 /// A warm key from the upper left, a cool fill from the right, and a light from behind for the rim.
 void light_studio(vtkRenderer* renderer) {
   renderer->AutomaticLightCreationOff();
-  add_light(renderer, {-0.7, 1.0, 0.9}, 0.78, {1.0, 0.97, 0.92});
-  add_light(renderer, {1.2, 0.15, 0.7}, 0.30, {0.84, 0.91, 1.0});
+  add_light(renderer, {-0.7, 1.0, 0.9}, 0.80, {1.0, 0.98, 0.95});
+  add_light(renderer, {1.2, 0.15, 0.7}, 0.36, {0.84, 0.91, 1.0});
   add_light(renderer, {0.2, 0.9, -1.2}, 0.35, {1.0, 1.0, 1.0});
   renderer->SetBackground(0.90, 0.91, 0.925);
   renderer->SetBackground2(0.985, 0.985, 0.99);
@@ -197,10 +206,18 @@ double aim(vtkRenderer* renderer, const Box& box, const PictureOptions& options)
   const double half = (box.high - box.low).norm() / 2;
   const double radius = half > 0 ? half : 1;
   const Point direction = options.direction.normalized();
+  const Point right = direction.cross(options.up).normalized(), up = right.cross(direction);
+  const double tangent = std::tan(options.view_angle * std::numbers::pi / 360) * kFilled;
   const double aspect = static_cast<double>(options.width) / options.height;
-  const double half_angle = options.view_angle * std::numbers::pi / 360;
-  const double narrow = std::atan(std::tan(half_angle) * std::min(1.0, aspect));
-  const double distance = radius / std::sin(narrow) / options.zoom;
+  double distance = 0;  // the least from which every corner of the box is in the picture
+  for (int corner = 0; corner < 8; ++corner) {
+    Point p;
+    for (int axis = 0; axis < 3; ++axis)
+      p[axis] = ((corner >> axis & 1) != 0 ? box.high : box.low)[axis] - centre[axis];
+    const double across = std::max(std::abs(right.dot(p)) / aspect, std::abs(up.dot(p))) / tangent;
+    distance = std::max(distance, across - direction.dot(p));
+  }
+  distance = std::max(distance, radius) / options.zoom;
   vtkCamera* camera = renderer->GetActiveCamera();
   camera->SetFocalPoint(centre.data());
   const Point eye = centre - distance * direction;
@@ -272,7 +289,9 @@ void render_png(const Triangles& surface, const TriangleColours& colours,
   light_studio(renderer);
   const bool empty = surface.triangles.empty();
   if (!empty) {
-    add_surface(renderer, prepared(to_poly_data(surface, colours), options), options);
+    const auto data = prepared(to_poly_data(surface, colours), options);
+    add_surface(renderer, data, options);
+    if (options.cut) add_section(renderer, data);
     const Box box = options.fit ? *options.fit : bounding_box(surface.positions);
     shade_corners(renderer, aim(renderer, box, options));
   }

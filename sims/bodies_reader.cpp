@@ -1,0 +1,149 @@
+// A scene's bodies: shapes and mesh files, repaired where asked, placed, and checked.
+#include "sims/bodies_reader.h"
+
+#include <fmt/format.h>
+
+#include <cstdlib>
+#include <numbers>
+
+#include "kernel/audit.h"
+#include "kernel/errors.h"
+#include "kernel/mesh_io.h"
+#include "kernel/random.h"
+#include "kernel/repair.h"
+#include "kernel/shape_catalogue.h"
+#include "kernel/transform.h"
+
+namespace suture {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr double kMostCopies = 1e6;  // beyond it a count is surely a slip
+
+/// Where a model of this name is: in $SUTURE_MODELS, or in data/models seen from the scene's
+/// folder.
+fs::path find_model(const std::string& name, const fs::path& folder) {
+  std::vector<fs::path> places;
+  if (const char* chosen = std::getenv("SUTURE_MODELS")) places.emplace_back(chosen);
+  places.push_back(folder / "models");
+  places.push_back(folder / ".." / "models");
+  places.push_back("data/models");
+  for (const fs::path& place : places)
+    for (const char* extension : {".ply", ".obj", ".off", ".stl"})
+      if (fs::is_regular_file(place / (name + extension))) return place / (name + extension);
+  return {};
+}
+
+std::map<std::string, double> shape_parameters(TomlTable& body) {
+  std::map<std::string, double> values;
+  const auto at = body.tables.find("parameters");
+  if (at == body.tables.end()) return values;
+  at->second.allow_tables({});
+  for (const std::string& key : at->second.keys.names())
+    values[key] = at->second.keys.number(key, Range::any());
+  return values;
+}
+
+Triangles shape(Keys& keys, const std::string& key, TomlTable& body) {
+  const std::string name = keys.text(key);
+  try {
+    return make_shape(name, shape_parameters(body));
+  } catch (const InvalidInput& error) {
+    keys.refuse(key, error.what());
+  }
+}
+
+struct Source {
+  Triangles surface;
+  std::string name;
+};
+
+Source read_source(TomlTable& body, const fs::path& folder, std::vector<std::string>& notes) {
+  Keys& keys = body.keys;
+  const bool is_mesh = keys.has("mesh"), is_model = keys.has("model"), is_shape = keys.has("shape");
+  if (is_mesh + is_model + is_shape != 1)
+    keys.refuse("shape", "give one of shape, mesh (a file) or model (a name), and only one");
+  if (is_shape) return {shape(keys, "shape", body), keys.text("shape")};
+  if (is_mesh) {
+    const fs::path file = folder / keys.text("mesh");
+    return {read_triangles(file), file.string()};
+  }
+  const std::string name = keys.text("model");
+  const fs::path file = find_model(name, folder);
+  if (!file.empty()) return {read_triangles(file), file.string()};
+  if (!keys.has("fallback"))
+    keys.refuse("model", "is \"" + name +
+                             "\", which is not in $SUTURE_MODELS nor in data/models; bring it "
+                             "there, or name a shape as fallback");
+  notes.push_back("the model " + name + " is not here: the shape " + keys.text("fallback") +
+                  " takes its place");
+  return {shape(keys, "fallback", body), keys.text("fallback")};
+}
+
+/// So that scenes can count on a model's place and size, whatever a scanner's unit was.
+Triangles normalised(const Triangles& surface) {
+  const Box box = bounding_box(surface.positions);
+  const double longest = (box.high - box.low).maxCoeff();
+  if (!(longest > 0)) return surface;
+  return scaled(translated(surface, -(box.low + box.high) / 2), 1 / longest);
+}
+
+Triangles placed(Triangles surface, Keys& keys) {
+  if (keys.flag("normalise", false)) surface = normalised(surface);
+  surface = scaled(surface, keys.number("scale", Range::above(0), 1));
+  const double degrees = keys.number("rotate", Range::any(), 0);
+  const Point axis = keys.vector("rotate_axis", Point::UnitZ());
+  if (!(axis.norm() > 0)) keys.refuse("rotate_axis", "has no direction");
+  surface = rotated(surface, axis, degrees * std::numbers::pi / 180);
+  return translated(surface, keys.vector("translate", Point::Zero()));
+}
+
+/// Where the copies of a body go: one as it is, or many at seeded random places in a box.
+std::vector<Point> scattered(Keys& keys) {
+  const std::int64_t copies = keys.integer("copies", Range::between(1, kMostCopies), 1);
+  const std::int64_t seed = keys.integer("scatter_seed", Range::at_least(0), 1);
+  const Point low = keys.vector("scatter_low", Point::Zero());
+  const Point high = keys.vector("scatter_high", low);
+  Random random(static_cast<std::uint64_t>(seed));
+  std::vector<Point> places;
+  for (std::int64_t i = 0; i < copies; ++i) {
+    Point place;
+    for (int axis = 0; axis < 3; ++axis) place[axis] = random.uniform(low[axis], high[axis]);
+    places.push_back(place);
+  }
+  return places;
+}
+
+void read_body(TomlTable& body, const fs::path& folder, Bodies& bodies) {
+  body.allow_tables({"parameters"});
+  Keys& keys = body.keys;
+  Source source = read_source(body, folder, bodies.notes);
+  if (keys.flag("repair", false)) {
+    for (const std::string& done : repair(source.surface).in_words())
+      bodies.notes.push_back(source.name + ": " + done);
+  }
+  keys.text("fallback", "");
+  require_usable(source.surface, body.where + ": " + source.name);
+  source.surface = placed(std::move(source.surface), keys);
+  const Point velocity = keys.vector("velocity", Point::Zero());
+  const std::vector<Point> places = scattered(keys);
+  keys.done();
+  std::vector<Triangles> all = {std::move(bodies.surface)};
+  for (const Point& place : places) all.push_back(translated(source.surface, place));
+  bodies.surface = merged(all);
+  bodies.velocities.resize(bodies.surface.positions.size(), velocity);
+}
+
+}  // namespace
+
+Bodies read_bodies(TomlTable& scene, const fs::path& folder) {
+  const auto list = scene.lists.find("bodies");
+  if (list == scene.lists.end())
+    scene.keys.refuse("bodies", "is missing; give at least one [[bodies]]");
+  Bodies bodies;
+  for (TomlTable& body : list->second) read_body(body, folder, bodies);
+  return bodies;
+}
+
+}  // namespace suture

@@ -1,0 +1,19 @@
+// A scene's bodies: shapes and mesh files, repaired where asked, placed, and checked.
+#pragma once
+
+#include "sims/toml_keys.h"
+
+namespace suture {
+
+/// All bodies of a scene as one surface, with the velocity of each vertex and notes for the user.
+struct Bodies {
+  Triangles surface;
+  std::vector<Point> velocities;
+  std::vector<std::string> notes;
+};
+
+/// Reads [[bodies]]; `folder` is the scene's own, which paths are relative to.
+/// \throw InvalidInput as read_scene
+Bodies read_bodies(TomlTable& scene, const std::filesystem::path& folder);
+
+}  // namespace suture

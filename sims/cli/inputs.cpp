@@ -1,0 +1,57 @@
+// Meshes named on the command line: read, repaired where asked, and judged.
+#include "sims/cli/inputs.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "kernel/audit.h"
+#include "kernel/errors.h"
+#include "kernel/mesh_io.h"
+#include "kernel/repair.h"
+#include "kernel/transform.h"
+
+namespace suture {
+
+Triangles read_input(const std::string& file, const Inputs& inputs) {
+  Triangles surface = read_triangles(file);
+  if (!inputs.mend) return surface;
+  for (const std::string& done : repair(surface).in_words())
+    fmt::print(stderr, "{}: {}\n", file, done);
+  return surface;
+}
+
+Triangles read_union(const Inputs& inputs) {
+  std::vector<Triangles> surfaces;
+  for (const std::string& file : inputs.files) {
+    surfaces.push_back(read_input(file, inputs));
+    require_usable(surfaces.back(), file);
+  }
+  return merged(surfaces);
+}
+
+void require_folder_of(const std::filesystem::path& file) {
+  const std::filesystem::path folder = file.has_parent_path() ? file.parent_path() : ".";
+  if (!std::filesystem::is_directory(folder))
+    throw InvalidInput(file.string() + ": the folder " + folder.string() +
+                       " is not there; make it first, or choose another");
+  if (std::filesystem::is_directory(file))
+    throw InvalidInput(file.string() + ": is a folder; give a file's name");
+}
+
+void require_writable_mesh(const std::filesystem::path& file) {
+  std::string extension = file.extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  for (const char* known : {".ply", ".obj", ".off", ".stl"})
+    if (extension == known) return require_folder_of(file);
+  throw InvalidInput(file.string() + ": a mesh cannot be written with the extension \"" +
+                     extension + "\"; use .ply, .obj, .off or .stl");
+}
+
+std::filesystem::path reproducer_beside(const std::filesystem::path& out) {
+  std::filesystem::path file = out;
+  return file.replace_filename(out.stem().string() + ".reproducer.ply");
+}
+
+}  // namespace suture

@@ -1,0 +1,26 @@
+// The words by which users choose among the tracker's options, on the command line and in scenes.
+#pragma once
+
+#include <array>
+
+#include "sims/keys.h"
+#include "surgery/options.h"
+
+namespace suture {
+
+inline constexpr std::array<Named<Events>, 4> kEventsNames = {{{"merge", Events::merge},
+                                                               {"split", Events::split},
+                                                               {"both", Events::both},
+                                                               {"none", Events::none}}};
+inline constexpr std::array<Named<CellTest>, 2> kCellTestNames = {
+    {{"deep", CellTest::deep}, {"plain", CellTest::plain}}};
+inline constexpr std::array<Named<Collapse>, 2> kCollapseNames = {
+    {{"straighten", Collapse::straighten}, {"keep", Collapse::keep}}};
+inline constexpr std::array<Named<Placement>, 2> kPlacementNames = {
+    {{"distance_field", Placement::distance_field}, {"crossing", Placement::crossing}}};
+inline constexpr std::array<Named<Arithmetic>, 2> kArithmeticNames = {
+    {{"filtered", Arithmetic::filtered}, {"rational", Arithmetic::rational}}};
+inline constexpr std::array<Named<Subdivision>, 2> kSubdivisionNames = {
+    {{"midpoint", Subdivision::midpoint}, {"curved", Subdivision::curved}}};
+
+}  // namespace suture

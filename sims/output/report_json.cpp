@@ -1,0 +1,154 @@
+// Reports as JSON: what a remodel, an improvement or a step did.
+#include "sims/output/report_json.h"
+
+#include <nlohmann/json.hpp>
+
+#include "kernel/measures.h"
+#include "sims/option_names.h"
+
+namespace suture {
+namespace {
+
+using nlohmann::json;
+
+constexpr std::array<Named<Outcome>, 3> kOutcomeNames = {{{"unchanged", Outcome::unchanged},
+                                                          {"committed", Outcome::committed},
+                                                          {"refused", Outcome::refused}}};
+
+template <class T, std::size_t N>
+std::string name_of(T value, const std::array<Named<T>, N>& names) {
+  for (const Named<T>& named : names)
+    if (named.value == value) return named.name;
+  return "unknown";
+}
+
+json to_json(const CollapseCounts& c) {
+  return {{"done", c.done},
+          {"delayed", c.delayed},
+          {"refused_link", c.refused_link},
+          {"refused_normal", c.refused_normal},
+          {"refused_node", c.refused_node},
+          {"refused_volume", c.refused_volume},
+          {"refused_feature", c.refused_feature}};
+}
+
+json to_json(const MarkedCells& m) {
+  return {{"deep_inside", m.deep_inside},
+          {"deep_outside", m.deep_outside},
+          {"self_intersecting", m.self_intersecting},
+          {"inverted", m.inverted},
+          {"plain", m.plain},
+          {"flooded", m.flooded},
+          {"total", m.total()}};
+}
+
+json to_json(const OracleCounts& o) {
+  return {{"edge_side", o.edge_side},
+          {"triangle_side", o.triangle_side},
+          {"orientation", o.orientation},
+          {"filter_failures", o.filter_failures}};
+}
+
+json to_json(const QualityOptions& q) {
+  return {{"edge_length", q.edge_length},
+          {"longest", q.longest},
+          {"shortest", q.shortest},
+          {"smallest_angle", q.smallest_angle},
+          {"largest_angle", q.largest_angle},
+          {"feature_angle", q.feature_angle},
+          {"keep_features", q.keep_features},
+          {"volume_bound", q.volume_bound},
+          {"turn_bound", q.turn_bound},
+          {"passes", q.passes},
+          {"subdivision", name_of(q.subdivision, kSubdivisionNames)}};
+}
+
+}  // namespace
+
+json to_json(const SurgeryReport& r) {
+  json seconds = json::object();
+  for (const auto& [stage, time] : r.seconds) seconds[stage] = time;
+  return {{"outcome", name_of(r.outcome, kOutcomeNames)},
+          {"failure", r.failure},
+          {"reproducer", r.reproducer},
+          {"crossings", r.crossings},
+          {"surface_cells", r.surface_cells},
+          {"complex_cells", r.complex_cells},
+          {"marked", to_json(r.marked)},
+          {"type1_vertices", r.type1_vertices},
+          {"type2_vertices", r.type2_vertices},
+          {"isosurface_vertices", r.isosurface_vertices},
+          {"centroid_vertices", r.centroid_vertices},
+          {"triangles_removed", r.triangles_removed},
+          {"triangles_added", r.triangles_added},
+          {"loops", r.loops},
+          {"split_triangles", r.split_triangles},
+          {"regrowths", r.regrowths},
+          {"recuts", r.recuts},
+          {"collapses", to_json(r.collapses)},
+          {"oracle", to_json(r.oracle)},
+          {"volume_before", r.volume_before},
+          {"volume_after", r.volume_after},
+          {"euler_before", r.euler_before},
+          {"euler_after", r.euler_after},
+          {"components_before", r.components_before},
+          {"components_after", r.components_after},
+          {"seconds", std::move(seconds)}};
+}
+
+json to_json(const QualityReport& r) {
+  return {{"subdivisions", r.subdivisions},     {"flips", r.flips},
+          {"collapses", to_json(r.collapses)},  {"refused_flips", r.refused_flips},
+          {"smallest_angle", r.smallest_angle}, {"shortest_edge", r.shortest_edge},
+          {"longest_edge", r.longest_edge}};
+}
+
+json to_json(const Audit& a) {
+  return {{"closed_manifold", a.closed_manifold()},
+          {"closed", a.closed()},
+          {"oriented", a.oriented()},
+          {"edge_manifold", a.edge_manifold()},
+          {"vertex_manifold", a.vertex_manifold()},
+          {"finite", a.finite()},
+          {"non_finite_vertices", a.non_finite_vertices},
+          {"indices_out_of_range", a.indices_out_of_range},
+          {"degenerate_triangles", a.degenerate_triangles},
+          {"duplicate_triangles", a.duplicate_triangles},
+          {"border_edges", a.border_edges},
+          {"non_manifold_edges", a.non_manifold_edges},
+          {"misoriented_edges", a.misoriented_edges},
+          {"non_manifold_vertices", a.non_manifold_vertices},
+          {"isolated_vertices", a.isolated_vertices},
+          {"first", a.first}};
+}
+
+json to_json(const TrackerOptions& t) {
+  return {{"cell_size", t.cell_size},
+          {"origin", {t.origin[0], t.origin[1], t.origin[2]}},
+          {"events", name_of(t.events, kEventsNames)},
+          {"cell_test", name_of(t.cell_test, kCellTestNames)},
+          {"depth", t.depth},
+          {"collapse", name_of(t.collapse, kCollapseNames)},
+          {"placement", name_of(t.placement, kPlacementNames)},
+          {"arithmetic", name_of(t.arithmetic, kArithmeticNames)},
+          {"straighten_turn", t.straighten_turn},
+          {"quality", to_json(t.quality)}};
+}
+
+json measured(const Triangles& surface) {
+  const EdgeLengths lengths = edge_lengths(surface);
+  const Angles corner = angles(surface);
+  return {{"vertices", surface.positions.size()},
+          {"triangles", surface.triangles.size()},
+          {"volume", volume(surface)},
+          {"area", area(surface)},
+          {"components", components(surface).count},
+          {"euler", euler_characteristic(surface)},
+          {"smallest_angle", corner.smallest},
+          {"largest_angle", corner.largest},
+          {"shortest_edge", lengths.shortest},
+          {"mean_edge", lengths.mean},
+          {"longest_edge", lengths.longest}};
+}
+
+}  // namespace suture

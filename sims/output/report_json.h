@@ -1,0 +1,21 @@
+// Reports as JSON: what a remodel, an improvement or a step did.
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+
+#include "kernel/audit.h"
+#include "surgery/options.h"
+#include "surgery/report.h"
+
+namespace suture {
+
+/// Every field of the report but the vertex map.
+nlohmann::json to_json(const SurgeryReport& report);
+nlohmann::json to_json(const QualityReport& report);
+nlohmann::json to_json(const Audit& audit);
+nlohmann::json to_json(const TrackerOptions& options);
+
+/// Counts, volume, area, components, Euler characteristic, angles and edge lengths of a surface.
+nlohmann::json measured(const Triangles& surface);
+
+}  // namespace suture

@@ -1,0 +1,218 @@
+// The driver loop: a scene's surface moved, remodelled, improved, and written down.
+#include "sims/run.h"
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include "kernel/errors.h"
+#include "kernel/files.h"
+#include "kernel/measures.h"
+#include "kernel/mesh_io.h"
+#include "sims/flows/vertex_values.h"
+#include "sims/output/colours.h"
+#include "sims/output/render.h"
+#include "sims/output/report_json.h"
+#include "sims/version.h"
+
+namespace suture {
+namespace {
+
+using nlohmann::json;
+namespace fs = std::filesystem;
+
+constexpr int kReportEvery = 10;  // steps; what a killed run may lack of its report
+
+class Run {
+ public:
+  Run(Scene& scene, const fs::path& folder)
+      : scene_(scene),
+        folder_(folder),
+        tracker_(scene.surface, with_reproducers(scene.tracker, folder)),
+        freshness_(scene.surface.positions.size(), 0.0) {
+    fading_ = scene.output.patch_fading > 0 ? scene.output.patch_fading : scene.time.end / 10;
+    if (!scene.output.picture.fit && scene.output.fit == Fit::first)
+      scene.output.picture.fit = bounding_box(scene.surface.positions);
+    make_folder();
+    report_ = {
+        {"program", "suture"},    {"version", kVersion},       {"scene", scene.file.string()},
+        {"title", scene.title},   {"notes", scene.notes},      {"tracker", to_json(scene.tracker)},
+        {"steps", json::array()}, {"remodels", json::array()}, {"improvements", json::array()}};
+  }
+
+  RunSummary all(RunWatcher* watcher) {
+    const std::int64_t steps = scene_.time.steps();
+    try {
+      record(0);
+      for (std::int64_t i = 1; i <= steps && !vanished(); ++i) {
+        step(i);
+        const std::size_t parts = record(i);
+        if (watcher != nullptr)
+          watcher->stepped({i, steps, tracker_.time(), tracker_.surface().triangles.size(), parts});
+      }
+    } catch (const InvalidInput& error) {
+      stop(error.what());
+      throw InvalidInput(
+          fmt::format("{}: step {}: {}", scene_.file.string(), summary_.steps, error.what()));
+    } catch (const std::exception& error) {
+      const fs::path mesh = folder_ / "reproducer.ply";
+      write_triangles(mesh, tracker_.surface());
+      stop(error.what());
+      throw InternalFailure(
+          fmt::format("step {}", summary_.steps),
+          fmt::format("{}; the surface is saved as {}", error.what(), mesh.string()));
+    }
+    summary_.audit = audit(tracker_.surface());
+    report_["audit"] = to_json(summary_.audit);
+    stop("");
+    return summary_;
+  }
+
+ private:
+  static TrackerOptions with_reproducers(TrackerOptions options, const fs::path& folder) {
+    options.reproducers = folder / "reproducers";
+    return options;
+  }
+
+  void make_folder() const {
+    std::error_code error;
+    fs::create_directories(folder_, error);
+    if (error)
+      throw InvalidInput(folder_.string() + ": the folder cannot be made (" + error.message() +
+                         "); choose another");
+  }
+
+  /// Whether nothing is left to move: every part got thinner than a cell and was split away.
+  bool vanished() const { return tracker_.surface().triangles.empty(); }
+
+  void step(std::int64_t index) {
+    const TimeOptions& time = scene_.time;
+    const double until = std::min(static_cast<double>(index) * time.step, time.end);
+    const double dt = until - tracker_.time();
+    phase().advance(tracker_, dt);
+    summary_.steps = index;
+    for (double& f : freshness_) f = fading_ > 0 ? std::max(0.0, f - dt / fading_) : 0.0;
+    const bool last = index == time.steps();
+    if (time.remodel_every > 0 && (index % time.remodel_every == 0 || last)) remodel(index);
+    if (time.improve_every > 0 && (index % time.improve_every == 0 || last) && !vanished())
+      improve(index);
+  }
+
+  Motion& phase() {
+    const double middle = tracker_.time() + 0.5 * scene_.time.step;
+    for (Phase& phase : scene_.phases)
+      if (middle < phase.until) return *phase.motion;
+    return *scene_.phases.back().motion;
+  }
+
+  void remodel(std::int64_t index) {
+    const SurgeryReport r = tracker_.remodel();
+    json record = to_json(r);
+    record["step"] = index;
+    record["time"] = tracker_.time();
+    report_["remodels"].push_back(std::move(record));
+    ++summary_.remodels;
+    if (r.outcome == Outcome::refused) {
+      if (summary_.refused++ == 0) {
+        summary_.reproducer = r.reproducer;
+        summary_.failure = r.failure;
+      }
+    }
+    if (r.outcome != Outcome::committed) return;
+    ++summary_.committed;
+    if (r.components_after < r.components_before)
+      summary_.merges += r.components_before - r.components_after;
+    else
+      summary_.splits += r.components_after - r.components_before;
+    surface_changed(r.vertex_map);
+    std::vector<char> old(freshness_.size(), 0);
+    for (const std::uint32_t v : r.vertex_map)
+      if (v != kNone) old[v] = 1;
+    for (std::size_t v = 0; v < old.size(); ++v)
+      if (old[v] == 0) freshness_[v] = 1;
+  }
+
+  void improve(std::int64_t index) {
+    const QualityReport r = tracker_.improve();
+    json record = to_json(r);
+    record["step"] = index;
+    record["time"] = tracker_.time();
+    report_["improvements"].push_back(std::move(record));
+    surface_changed(r.vertex_map);
+  }
+
+  void surface_changed(const std::vector<std::uint32_t>& vertex_map) {
+    const Triangles& surface = tracker_.surface();
+    freshness_ = carried(freshness_, 0.0, surface, vertex_map);
+    for (Phase& phase : scene_.phases) phase.motion->surface_changed(surface, vertex_map);
+  }
+
+  /// Writes what this step is to leave. \return the number of components
+  std::size_t record(std::int64_t index) {
+    const Triangles& surface = tracker_.surface();
+    json now = measured(surface);
+    now["step"] = index;
+    now["time"] = tracker_.time();
+    now["seconds"] = watch_.lap();
+    const auto parts = now["components"].get<std::size_t>();
+    const OutputOptions& output = scene_.output;
+    const bool mesh = output.meshes.wants(index, scene_.time) && !vanished();
+    const bool picture = output.pictures.wants(index, scene_.time);
+    if (mesh) {
+      const std::string name = fmt::format("{:05}.{}", index, output.mesh_format);
+      write_triangles(folder_ / name, surface);
+      now["mesh"] = name;
+      ++summary_.meshes;
+    }
+    if (picture) {
+      const std::string name = fmt::format("{:05}.png", index);
+      render_png(surface, colours(), output.picture, folder_ / name);
+      now["picture"] = name;
+      ++summary_.pictures;
+    }
+    now["output_seconds"] = watch_.lap();
+    report_["steps"].push_back(std::move(now));
+    if (mesh || picture || index % kReportEvery == 0) stop("");
+    return parts;
+  }
+
+  TriangleColours colours() const {
+    if (scene_.output.colour == Colour::plain) return {};
+    if (scene_.output.colour == Colour::components) return component_colours(tracker_.surface());
+    return patch_colours(tracker_.surface(), freshness_);
+  }
+
+  /// Brings the report up to date; `failure` says why the run ends here, or nothing.
+  void stop(const std::string& failure) {
+    const RunSummary& s = summary_;
+    report_["summary"] = {
+        {"finished", (s.steps == scene_.time.steps() || vanished()) && failure.empty()},
+        {"vanished", vanished()},
+        {"steps", s.steps},
+        {"steps_asked", scene_.time.steps()},
+        {"remodels", s.remodels},
+        {"committed", s.committed},
+        {"refused", s.refused},
+        {"merges", s.merges},
+        {"splits", s.splits},
+        {"failure", failure}};
+    write_file(folder_ / "report.json", report_.dump(1) + "\n");
+  }
+
+  Scene& scene_;
+  fs::path folder_;
+  Tracker tracker_;
+  std::vector<double> freshness_;  ///< of each vertex: 1 as surgery made it, fading to 0
+  double fading_ = 0;
+  Stopwatch watch_;
+  json report_;
+  RunSummary summary_;
+};
+
+}  // namespace
+
+RunSummary run(Scene& scene, const std::filesystem::path& folder, RunWatcher* watcher) {
+  return Run(scene, folder).all(watcher);
+}
+
+}  // namespace suture

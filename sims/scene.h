@@ -1,0 +1,68 @@
+// A scene: bodies, what moves them, the tracker's options, time, and what is written down.
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "sims/flows/motion.h"
+#include "sims/output/picture.h"
+#include "surgery/options.h"
+
+namespace suture {
+
+/// A motion and the time at which the next one takes over.
+struct Phase {
+  std::string kind;
+  double until = 0;
+  std::unique_ptr<Motion> motion;
+};
+
+struct TimeOptions {
+  double step = 0;  ///< dt
+  double end = 0;
+  int remodel_every = 1;       ///< steps; 0: never
+  int improve_every = 1;       ///< steps; 0: never
+  std::int64_t steps() const;  ///< the least number of whole steps that reaches `end`
+};
+
+/// Which steps are written; the first and the last always are, where any is.
+struct Every {
+  int steps = 0;           ///< 0: none but those in `at`
+  std::vector<double> at;  ///< times
+  bool wants(std::int64_t step, const TimeOptions& time) const;
+  bool any() const { return steps > 0 || !at.empty(); }
+};
+
+/// What the camera keeps in view.
+enum class Fit { first, each, box };
+
+struct OutputOptions {
+  std::string mesh_format;  ///< "ply", "obj", "off", "stl"
+  Every meshes, pictures;
+  Colour colour = Colour::patches;
+  double patch_fading = 0;  ///< time in which a patch's colour fades; 0: a tenth of the whole
+  Fit fit = Fit::first;
+  PictureOptions picture;
+};
+
+struct Scene {
+  std::filesystem::path file;
+  std::string title;
+  Triangles surface;               ///< the union of the bodies, one after another
+  std::vector<std::string> notes;  ///< what was done to get there: fallbacks and repairs
+  std::vector<Phase> phases;
+  TrackerOptions tracker;
+  TimeOptions time;
+  OutputOptions output;
+};
+
+/// Reads a scene from a TOML file, and its meshes from paths relative to that file. Models are
+/// looked for in $SUTURE_MODELS and in data/models beside the folder of the scene.
+/// \throw InvalidInput with file, line, key and what is allowed, for anything unknown, of a wrong
+/// type, out of range, or missing; and for a body that is not a closed oriented manifold
+Scene read_scene(const std::filesystem::path& file);
+
+}  // namespace suture

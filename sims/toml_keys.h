@@ -1,0 +1,27 @@
+// A TOML file as tables of checked keys, each with the line it stands on.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <vector>
+
+#include "sims/keys.h"
+
+namespace suture {
+
+/// A table's own values, and the tables inside it by name.
+struct TomlTable {
+  Keys keys;
+  std::map<std::string, TomlTable> tables;
+  std::map<std::string, std::vector<TomlTable>> lists;  ///< arrays of tables
+  std::map<std::string, std::string> places;            ///< "file:line" of each inner table
+  std::string where;
+
+  /// \throw InvalidInput if there is an inner table that is not among `known`
+  void allow_tables(const std::vector<std::string>& known) const;
+};
+
+/// \throw InvalidInput if the file cannot be read or is not TOML, with the line
+TomlTable read_toml(const std::filesystem::path& file);
+
+}  // namespace suture
