@@ -57,7 +57,7 @@ struct TrackerOptions {
   double straighten_turn = 60;  ///< degrees: the most a normal may turn when a type 2 vertex goes
   QualityOptions quality{};
   std::filesystem::path
-      reproducers;  ///< folder for meshes of failed surgeries; empty: none is saved
+      reproducers{};  ///< folder for meshes of failed surgeries; empty: none is saved
 };
 
 }  // namespace suture
