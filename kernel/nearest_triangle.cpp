@@ -20,6 +20,7 @@ constexpr std::size_t kLeaf = 4;       // triangles
 constexpr std::size_t kLopsided = 8;   // a part of less than 1/8 is not worth a level
 constexpr std::size_t kDeepest = 192;  // 7/8 of 2^32 triangles, 167 times over, is one
 constexpr double kFar = 0x1p200;       // × the surface's size: from there it is a point
+constexpr double kRounding = 0x1p-49;  // of a squared length: 16 roundings, more than there are
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 // From the segment (a, b) to p, the vector that is shortest.
@@ -55,7 +56,8 @@ double squared_distance(const Point& p, const Point& a, const Point& b, const Po
       n.dot(ab.cross(p - a)) >= 0 && n.dot(bc.cross(p - b)) >= 0 && n.dot(ca.cross(p - c)) >= 0;
   if (!inside) return border2;
   const double height = n.dot(border);  // from the nearest border point: the least cancellation
-  return std::clamp(height * height / n2, std::max(0.0, border2 - inradius2), border2);
+  const double least = border2 * (1 - kRounding) - inradius2;
+  return std::clamp(height * height / n2, std::max(0.0, least), border2);
 }
 
 struct Node {
@@ -95,7 +97,7 @@ std::size_t part(std::vector<Key>& keys, std::size_t begin, std::size_t end) {
   const auto last = keys.begin() + static_cast<std::ptrdiff_t>(end);
   const auto cut = std::partition(first, last, [&](const Key& k) { return k.middle[axis] < at; });
   const std::size_t size = end - begin, left = static_cast<std::size_t>(cut - first);
-  if (std::min(left, size - left) >= size / kLopsided) return begin + left;
+  if (kLopsided * std::min(left, size - left) >= size) return begin + left;
   std::nth_element(first, first + static_cast<std::ptrdiff_t>(size / 2), last,
                    [axis](const Key& x, const Key& y) {
                      const double mx = x.middle[axis], my = y.middle[axis];

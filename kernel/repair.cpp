@@ -110,6 +110,21 @@ std::size_t weld_borders(Triangles& surface) {
   return welded;
 }
 
+// Welding can make triangles degenerate or repeated, and dropping those can leave two border edges
+// where there were more: so on until nothing is left. Each round takes a triangle or a vertex away.
+void drop_and_weld(Triangles& surface, RepairReport& report) {
+  std::size_t done = 0;
+  do {
+    const std::size_t degenerate = drop_degenerate(surface);
+    const std::size_t duplicate = drop_duplicates(surface);
+    const std::size_t welded = weld_borders(surface);
+    report.degenerate_triangles += degenerate;
+    report.duplicate_triangles += duplicate;
+    report.welded_vertices += welded;
+    done = degenerate + duplicate + welded;
+  } while (done > 0);
+}
+
 // Gives each further fan of triangles round a vertex a vertex of its own.
 std::size_t split_fans(Triangles& surface) {
   const Corners corners(surface);
@@ -192,19 +207,15 @@ RepairReport repair(Triangles& surface) {
   RepairReport report;
   const Audit before = audit(surface);
   if (!before.finite() || before.indices_out_of_range > 0) return report;
-  report.degenerate_triangles = drop_degenerate(surface);
-  report.duplicate_triangles = drop_duplicates(surface);
+  drop_and_weld(surface, report);
   const std::size_t unused = audit(surface).isolated_vertices;
-  report.welded_vertices = weld_borders(surface);
-  report.degenerate_triangles += drop_degenerate(surface);
-  report.duplicate_triangles += drop_duplicates(surface);
   report.turned_triangles = orient_consistently(surface).triangles;
   report.split_vertices = split_fans(surface);
   const std::vector<std::uint32_t> wrong = inside_out_components(surface);
   turn_components(surface, wrong);
   report.inside_out_components = wrong.size();
   drop_unused(surface);
-  report.isolated_vertices = unused;
+  report.isolated_vertices = unused - report.welded_vertices;
   return report;
 }
 

@@ -8,16 +8,6 @@
 
 namespace suture {
 
-namespace {
-
-bool leaves_feature(const Mesh& mesh, Mesh::Halfedge_index h, const CollapseRules& rules) {
-  const VertexKind kind = vertex_kind(mesh, mesh.source(h), rules);
-  if (kind == VertexKind::free) return false;
-  return kind == VertexKind::corner || !is_feature(mesh, mesh.edge(h), rules);
-}
-
-}  // namespace
-
 Refusal may_collapse_to(const Mesh& mesh, Mesh::Halfedge_index h, const Point& to,
                         const CollapseRules& rules) {
   if (!keeps_manifold(mesh, h)) return Refusal::link;

@@ -66,4 +66,10 @@ VertexKind vertex_kind(const Mesh& mesh, Mesh::Vertex_index v, const CollapseRul
   return straight ? VertexKind::crease : VertexKind::corner;
 }
 
+bool leaves_feature(const Mesh& mesh, Mesh::Halfedge_index h, const CollapseRules& rules) {
+  const VertexKind kind = vertex_kind(mesh, mesh.source(h), rules);
+  if (kind == VertexKind::free) return false;
+  return kind == VertexKind::corner || !is_feature(mesh, mesh.edge(h), rules);
+}
+
 }  // namespace suture

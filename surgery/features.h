@@ -20,4 +20,7 @@ bool is_feature(const Mesh& mesh, Mesh::Edge_index e, const CollapseRules& rules
 /// A crease is nearly straight where it turns by less than the feature angle.
 VertexKind vertex_kind(const Mesh& mesh, Mesh::Vertex_index v, const CollapseRules& rules);
 
+/// Whether moving the source of `h` to its target takes it off a corner or a crease.
+bool leaves_feature(const Mesh& mesh, Mesh::Halfedge_index h, const CollapseRules& rules);
+
 }  // namespace suture

@@ -64,7 +64,8 @@ Triangles difference(const Triangles& before, const Triangles& after,
 }
 
 std::vector<Index3> changed_outside(const Triangles& difference, const Lattice& lattice,
-                                    const Oracle& oracle, const Region& region) {
+                                    const Oracle& oracle, const Region& region,
+                                    const Winding& before) {
   constexpr int kAxis = 2;
   const Winding change(find_crossings(incidence(difference, EdgeUse::any), lattice, oracle));
   std::vector<Index3> nodes;
@@ -75,7 +76,9 @@ std::vector<Index3> changed_outside(const Triangles& difference, const Lattice& 
     Index3 node = unpack(edges[i].edge);
     for (const int last = unpack(edges[i + 1].edge)[kAxis]; node[kAxis] < last;) {
       ++node[kAxis];
-      if (!all_cells_in(region, node)) nodes.push_back(node);
+      const int was = before.at(node), is = was + edges[i].after;
+      const bool fine = (was > 1 && is >= 1) || (was < 0 && is < 1) || all_cells_in(region, node);
+      if (!fine) nodes.push_back(node);
     }
   }
   return nodes;

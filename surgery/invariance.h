@@ -13,10 +13,13 @@ Triangles difference(const Triangles& before, const Triangles& after,
                      const std::vector<std::uint32_t>& kept,
                      const std::vector<std::uint32_t>& vertex_map);
 
-/// Nodes with a cell outside the region whose winding the difference changes, in a defined order:
-/// none but for nodes within rounding of the surface, since inserted vertices are rounded. \throw
-/// InternalFailure if the oracle contradicts itself
+/// Nodes with a cell outside the region whose winding the surgery changed although it was 0 or 1,
+/// or whose side it changed, in a defined order. (Where bodies overlap or are inverted, nodes in
+/// cells without mesh may go from 2 to 1 or from −1 to 0 as the sheets round them are replaced:
+/// their side stays.) There are none but for nodes within rounding of the surface, since inserted
+/// vertices are rounded. \throw InternalFailure if the oracle contradicts itself
 std::vector<Index3> changed_outside(const Triangles& difference, const Lattice& lattice,
-                                    const Oracle& oracle, const Region& region);
+                                    const Oracle& oracle, const Region& region,
+                                    const Winding& before);
 
 }  // namespace suture

@@ -55,9 +55,9 @@ struct TrackerOptions {
   Placement placement = Placement::distance_field;
   Arithmetic arithmetic = Arithmetic::filtered;
   double straighten_turn = 60;  ///< degrees: the most a normal may turn when a type 2 vertex goes
-  QualityOptions quality;
+  QualityOptions quality{};
   std::filesystem::path
-      reproducers;  ///< folder for meshes of failed surgeries; empty: none is saved
+      reproducers{};  ///< folder for meshes of failed surgeries; empty: none is saved
 };
 
 }  // namespace suture

@@ -147,7 +147,7 @@ std::string objection(const Surface& before, const Adopted& after, const Detecte
   const std::vector<Index3> changed =
       changed_outside(difference(before.triangles, after.surface.triangles, after.triangle_origin,
                                  after.vertex_map),
-                      d.lattice, oracle, d.region);
+                      d.lattice, oracle, d.region, d.winding);
   if (changed.empty()) return {};
   // An inserted vertex is off its triangle by half a bit of each coordinate: a node that lies on
   // the surface, or within a few bits of it, may find itself on the other side.

@@ -81,28 +81,43 @@ bool leaves_good_shapes(const Improvement& work, Mesh::Halfedge_index h,
              std::max(work.longest, longest_edge(change, &LocalChange::Pair::before));
 }
 
-/// The first way that the rules allow and that leaves good shapes; an edge too short for the mesh
-/// to resolve goes even where it leaves worse ones or lies on a feature.
-Refusal choose_way(const Improvement& work, Mesh::Halfedge_index h, Way& chosen) {
-  const Ways ways = ways_to_collapse(work, h);
-  Refusal refusal = Refusal::none;
+/// The first way that the rules allow and that leaves good shapes, if any; else why not.
+Refusal choose_good_way(const Improvement& work, const Ways& ways, Way& chosen) {
+  Refusal first = Refusal::none;
   for (const Way& way : ways) {
     chosen = way;
-    const Refusal now = may_collapse_to(work.mesh, way.h, way.to, work.rules);
-    if (refusal == Refusal::none) refusal = now;
-    if (now == Refusal::none &&
+    Refusal refusal = may_collapse_to(work.mesh, way.h, way.to, work.rules);
+    if (refusal == Refusal::none &&
         leaves_good_shapes(work, way.h, collapse_change(work.mesh, way.h, way.to)))
       return Refusal::none;
+    if (refusal == Refusal::none) refusal = Refusal::normal;
+    if (first == Refusal::none) first = refusal;
   }
-  if (refusal == Refusal::none) refusal = Refusal::normal;
+  return first;
+}
+
+bool is_allowed(const Improvement& work, const Ways& ways, const CollapseRules& rules,
+                Way& chosen) {
+  return std::any_of(ways.begin(), ways.end(), [&](const Way& way) {
+    chosen = way;
+    return may_collapse_to(work.mesh, way.h, way.to, rules) == Refusal::none;
+  });
+}
+
+/// An edge too short for the mesh to resolve goes even where that leaves worse shapes, or where
+/// both its ends are held by features.
+Refusal choose_way(const Improvement& work, Mesh::Halfedge_index h, Way& chosen) {
+  const Ways ways = ways_to_collapse(work, h);
+  const Refusal refusal = choose_good_way(work, ways, chosen);
+  if (refusal == Refusal::none) return refusal;
   if (length_of(work.mesh, h) > kFeatureScale * work.shortest) return refusal;
+  if (is_allowed(work, ways, work.rules, chosen)) return Refusal::none;
+  if (!leaves_feature(work.mesh, h, work.rules) ||
+      !leaves_feature(work.mesh, work.mesh.opposite(h), work.rules))
+    return refusal;
   CollapseRules relaxed = work.rules;
   relaxed.cos_feature = -2;
-  for (const Way& way : ways) {
-    chosen = way;
-    if (may_collapse_to(work.mesh, way.h, way.to, relaxed) == Refusal::none) return Refusal::none;
-  }
-  return refusal;
+  return is_allowed(work, ways, relaxed, chosen) ? Refusal::none : refusal;
 }
 
 bool is_wanted(const Improvement& work, Mesh::Halfedge_index h, double length) {

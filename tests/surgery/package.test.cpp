@@ -1,0 +1,90 @@
+// Every mesh of Debian's libcgal-demo, through whole remodels or to a refusal.
+#include <catch2/catch.hpp>
+#include <fstream>
+
+#include "kernel/errors.h"
+#include "kernel/repair.h"
+#include "tests/models.h"
+#include "tests/surgery/support.h"
+
+using namespace suture;
+
+namespace {
+
+struct Listed {
+  std::string file, condition;
+};
+
+/// The meshes of data/models.toml that come from the package and are at hand.
+std::vector<Listed> package() {
+  std::vector<Listed> all;
+  Listed model;
+  bool ours = false;
+  auto value = [](const std::string& line) {
+    return line.substr(line.find('"') + 1, line.rfind('"') - line.find('"') - 1);
+  };
+  std::ifstream list(std::string(SUTURE_SOURCE_DIR) + "/data/models.toml");
+  for (std::string line; std::getline(list, line);) {
+    if (line.starts_with("file = ")) model.file = value(line);
+    if (line.starts_with("package = ")) ours = value(line) == "libcgal-demo";
+    if (!line.starts_with("condition = ")) continue;
+    model.condition = value(line);
+    if (ours && classic_path(model.file)) all.push_back(model);
+    ours = false;
+  }
+  if (all.empty())
+    WARN("the meshes of libcgal-demo are not at hand: data/fetch_models brings them");
+  return all;
+}
+
+Triangles resolved(const Triangles& surface, double cell, const std::string& what) {
+  Tracker tracker(surface, {.cell_size = cell});
+  const SurgeryReport report = tracker.remodel();
+  const Audit result = audit(tracker.surface());
+  CAPTURE(what, report.failure, result.first);
+  CHECK(report.outcome != Outcome::refused);
+  CHECK(result.closed_manifold());
+  return tracker.surface();
+}
+
+void resolve_all(int cells) {
+  std::size_t closed = 0;
+  for (const Listed& model : package()) {
+    Triangles mesh = read_triangles(*classic_path(model.file));
+    try {
+      require_closed_manifold(mesh, model.file);
+    } catch (const InvalidInput&) {
+      continue;  // their own test follows
+    }
+    ++closed;
+    repair(mesh);  // some are inside-out
+    const Box box = bounding_box(mesh.positions);
+    const double cell = (box.high - box.low).maxCoeff() / cells;
+    const Triangles alone = resolved(mesh, cell, model.file);
+    CAPTURE(model.file, cells);
+    CHECK(resolved(together(mesh, mesh), cell, model.file + " twice") == alone);
+    resolved(together(mesh, translated(mesh, 0.1 * (box.high - box.low))), cell,
+             model.file + " shifted");
+    if (!alone.triangles.empty()) CHECK(resolved(alone, cell, model.file + " again") == alone);
+  }
+  if (closed > 0) CHECK(closed >= 82);
+}
+
+}  // namespace
+
+TEST_CASE("every closed mesh of the package is resolved at 20 cells") { resolve_all(20); }
+TEST_CASE("every closed mesh of the package is resolved at 64 cells") { resolve_all(64); }
+TEST_CASE("every closed mesh of the package is resolved at 150 cells") { resolve_all(150); }
+
+TEST_CASE("every broken mesh of the package is refused with its reason") {
+  for (const Listed& model : package()) {
+    if (model.condition.starts_with("closed manifold")) continue;
+    CAPTURE(model.file, model.condition);
+    try {
+      const Triangles mesh = read_triangles(*classic_path(model.file));
+      CHECK_THROWS_AS(require_usable(mesh, model.file), InvalidInput);
+    } catch (const InvalidInput& refusal) {
+      CHECK(std::string(refusal.what()).size() > 20);
+    }
+  }
+}
