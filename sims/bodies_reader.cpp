@@ -9,6 +9,7 @@
 #include "kernel/lattice.h"
 #include "kernel/audit.h"
 #include "kernel/errors.h"
+#include "kernel/lattice.h"
 #include "kernel/mesh_io.h"
 #include "kernel/random.h"
 #include "kernel/repair.h"
