@@ -53,7 +53,13 @@ void triangle_planes(const Incidence& mesh, const Crossings& crossings, std::uin
 template <class Visit>
 void for_each_cell(const Incidence& mesh, const Crossings& crossings, std::uint32_t triangle,
                    Visit visit) {
-  for (const std::uint32_t v : mesh.triangles[triangle]) visit(pack(crossings.vertex_cell[v]));
+  const Triangle& v = mesh.triangles[triangle];
+  visit(pack(crossings.vertex_cell[v[0]]));
+  if (crossings.vertex_cell[v[1]] == crossings.vertex_cell[v[0]] &&
+      crossings.vertex_cell[v[2]] == crossings.vertex_cell[v[0]])
+    return;  // most triangles of a fine mesh
+  visit(pack(crossings.vertex_cell[v[1]]));
+  visit(pack(crossings.vertex_cell[v[2]]));
   for (const std::uint32_t e : mesh.triangle_edges[triangle])
     for (std::uint32_t c = crossings.edge_begin[e]; c < crossings.edge_begin[e + 1]; ++c) {
       const FaceStep& face = crossings.edge_crossings[c];

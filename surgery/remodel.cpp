@@ -11,6 +11,7 @@
 #include "kernel/audit.h"
 #include "kernel/errors.h"
 #include "kernel/measures.h"
+#include "surgery/budget.h"
 #include "surgery/coincident.h"
 #include "surgery/complex_cells.h"
 #include "surgery/cut.h"
@@ -194,6 +195,7 @@ void detect_and_operate(Surface& surface, const TrackerOptions& options, const O
   Incidence mesh = incidence(surface.triangles);
   Lattice lattice = lattice_around(bounding_box(surface.triangles.positions), options.cell_size,
                                    options.origin, options.depth + 3);
+  require_crossings_fit(surface.triangles, lattice);
   clock.ended("incidence");
   Crossings crossings = find_crossings(mesh, lattice, oracle);
   report.crossings = crossings.size();

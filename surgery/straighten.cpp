@@ -33,7 +33,7 @@ class Straightening {
     for (const auto v : type2) role_[v] = Role::type2;
     for (const auto v : type1) role_[v] = Role::type1;
     for (const auto v : type2)
-      if (role_[v] == Role::type2) push(v);
+      if (role_[v] == Role::type2) push_all(v);
   }
 
   void run(CollapseCounts& counts) {
@@ -46,29 +46,51 @@ class Straightening {
       const Refusal refusal = may_collapse(mesh_, h, rules_);
       refusal_[next.from] = refusal;
       if (refusal != Refusal::none) continue;
+      const std::vector<Mesh::Vertex_index> gained = neighbours_gained(h);
       const auto stays = collapse(mesh_, h);
       ++counts.done;
-      try_again_around(stays);
+      for (const auto n : gained) {
+        push(n, stays);
+        push(stays, n);
+      }
+      retry_refused_around(stays);
     }
   }
 
   Refusal last_refusal(Mesh::Vertex_index v) const { return refusal_[v]; }
 
  private:
-  void push(Mesh::Vertex_index v) {
-    const auto first = mesh_.halfedge(v);
-    for (const auto h : mesh_.halfedges_around_target(first)) {
-      const auto to = mesh_.source(h);
-      if (role_[to] != Role::other)
-        queue_.push({role_[to], CGAL::squared_distance(mesh_.point(v), mesh_.point(to)), v, to});
+  void push(Mesh::Vertex_index from, Mesh::Vertex_index to) {
+    if (role_[from] != Role::type2 || role_[to] == Role::other) return;
+    queue_.push({role_[to], CGAL::squared_distance(mesh_.point(from), mesh_.point(to)), from, to});
+  }
+
+  void push_all(Mesh::Vertex_index v) {
+    for (const auto h : mesh_.halfedges_around_target(mesh_.halfedge(v))) push(v, mesh_.source(h));
+  }
+
+  /// What the target of h will be joined to that only its source is now. Other edges stay in the
+  /// queue: no vertex moves, so their lengths do not change.
+  std::vector<Mesh::Vertex_index> neighbours_gained(Mesh::Halfedge_index h) const {
+    std::vector<Mesh::Vertex_index> gained;
+    for (const auto r : mesh_.halfedges_around_target(mesh_.opposite(h))) {
+      const auto n = mesh_.source(r);
+      if (n != mesh_.target(h) && !mesh_.halfedge(n, mesh_.target(h)).is_valid())
+        gained.push_back(n);
     }
+    return gained;
   }
 
   /// A collapse changes the stars of the vertex that stays and of all its neighbours.
-  void try_again_around(Mesh::Vertex_index v) {
-    if (role_[v] == Role::type2) push(v);
+  void retry_refused_around(Mesh::Vertex_index v) {
+    retry_if_refused(v);
     for (const auto h : mesh_.halfedges_around_target(mesh_.halfedge(v)))
-      if (role_[mesh_.source(h)] == Role::type2) push(mesh_.source(h));
+      retry_if_refused(mesh_.source(h));
+  }
+  void retry_if_refused(Mesh::Vertex_index v) {
+    if (refusal_[v] == Refusal::none) return;
+    refusal_[v] = Refusal::none;
+    push_all(v);
   }
 
   Mesh& mesh_;

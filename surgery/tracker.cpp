@@ -8,6 +8,7 @@
 #include "kernel/errors.h"
 #include "kernel/mesh_io.h"
 #include "surgery/advect.h"
+#include "surgery/budget.h"
 #include "surgery/quality.h"
 #include "surgery/remodel.h"
 
@@ -41,8 +42,8 @@ struct Tracker::State {
 Tracker::Tracker(Triangles surface, const TrackerOptions& options) {
   require_in_range(options);
   require_closed_manifold(surface, "the surface");
-  lattice_around(bounding_box(surface.positions), options.cell_size, options.origin,
-                 options.depth + 3);
+  require_crossings_fit(surface, lattice_around(bounding_box(surface.positions), options.cell_size,
+                                                options.origin, options.depth + 3));
   state_ = std::make_unique<State>();
   state_->options = options;
   state_->oracle = make_oracle(options.arithmetic);
@@ -77,6 +78,8 @@ void Tracker::displace(std::vector<Point> positions, double dt) {
   state_->time += dt;
 }
 
+SurfaceDistance Tracker::distance() const { return SurfaceDistance(surface(), state_->options); }
+
 SurgeryReport Tracker::remodel(Trace* trace) {
   SurgeryReport report = suture::remodel(state_->surface, state_->options, *state_->oracle, trace);
   ++state_->remodels;
@@ -91,6 +94,7 @@ SurgeryReport Tracker::remodel(Trace* trace) {
 }
 
 QualityReport Tracker::improve(Trace* trace) {
+  if (surface().triangles.empty()) return {};
   Stopwatch watch;
   QualityOptions options = state_->options.quality;
   if (options.edge_length == 0) options.edge_length = state_->options.cell_size;

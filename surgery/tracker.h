@@ -8,6 +8,7 @@
 #include "kernel/triangles.h"
 #include "surgery/options.h"
 #include "surgery/report.h"
+#include "surgery/surface_distance.h"
 
 namespace suture {
 
@@ -36,6 +37,10 @@ class Tracker {
   /// Gives every vertex a new position, in the order of surface().positions, and adds dt to time().
   /// \throw InvalidInput if the count differs or a position is not finite; the surface then stays
   void displace(std::vector<Point> positions, double dt = 0);
+
+  /// The signed distance field of the surface as it is now; computes nothing until it is asked
+  /// [§5.1]. \pre the surface is not empty
+  SurfaceDistance distance() const;
 
   /// Finds where topology should change and re-samples the surface there, and only there [§5, §6].
   SurgeryReport remodel(Trace* trace = nullptr);

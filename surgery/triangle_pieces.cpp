@@ -14,7 +14,7 @@ struct PlanePath {
   int axis;
   std::uint32_t up, down;  // local sites
   LatticeId from;          // face at `up`
-  std::vector<LineStep> steps;
+  std::size_t begin, end;  // its steps
 };
 
 class Walk {
@@ -28,6 +28,7 @@ class Walk {
         crossings_(crossings) {}
 
   TrianglePieces run() {
+    out_.sides.reserve(32);
     walk_edges();
     walk_planes();
     collect_lines();
@@ -78,8 +79,9 @@ class Walk {
       for (const PlaneEnds& ends : planes.ends) {
         const LatticeId from = crossings_.edge_crossings[ends.up].face;
         const LatticeId to = crossings_.edge_crossings[ends.down].face;
-        paths_.push_back({axis, local(ends.up), local(ends.down), from, {}});
-        plane_path(shape, axis, unpack(from), unpack(to), lattice_, oracle_, paths_.back().steps);
+        const std::size_t begin = steps_.size();
+        plane_path(shape, axis, unpack(from), unpack(to), lattice_, oracle_, steps_);
+        paths_.push_back({axis, local(ends.up), local(ends.down), from, begin, steps_.size()});
       }
     }
   }
@@ -91,8 +93,9 @@ class Walk {
   /// Each line is met in exactly two planes; the cyclic one names it.
   void collect_lines() {
     for (const PlanePath& path : paths_)
-      for (const LineStep& s : path.steps)
-        if (s.axis == prev_axis(path.axis)) out_.line_sites.push_back({s.axis, s.edge});
+      for (std::size_t i = path.begin; i < path.end; ++i)
+        if (steps_[i].axis == prev_axis(path.axis))
+          out_.line_sites.push_back({steps_[i].axis, steps_[i].edge});
     std::sort(out_.line_sites.begin(), out_.line_sites.end(), before);
   }
 
@@ -115,7 +118,8 @@ class Walk {
       out_.sides.push_back({upper, lower, to, from});
       from = to;
     };
-    for (const LineStep& s : path.steps) {
+    for (std::size_t i = path.begin; i < path.end; ++i) {
+      const LineStep& s = steps_[i];
       both(local(s));
       const int along = 3 - path.axis - s.axis;
       face[along] = unpack(s.edge)[along] == face[along] ? face[along] - 1 : face[along] + 1;
@@ -162,6 +166,7 @@ class Walk {
   const Crossings& crossings_;
   TrianglePieces out_;
   std::vector<PlanePath> paths_;
+  std::vector<LineStep> steps_;  // of all paths
 };
 
 }  // namespace

@@ -167,12 +167,14 @@ TEST_CASE("a refused option is named") {
   const Triangles body = ball(1);
   for (const double cell : {0.0, -1.0, std::nan(""), 1e-12})
     CHECK_THROWS_AS(Tracker(body, {.cell_size = cell}), InvalidInput);
+  CHECK_THROWS_WITH(Tracker(body, {.cell_size = 4e-6}), Catch::Matchers::Contains("GB"));
   CHECK_THROWS_AS(Tracker(body, {.cell_size = 0.1, .depth = -1}), InvalidInput);
   CHECK_THROWS_AS(Tracker(Triangles{}, {.cell_size = 0.1}), InvalidInput);
 }
 
 TEST_CASE("the plain test re-samples more than the deep test does") {
-  const Triangles two = together(ball(1, {0.01, 0.02, 0.03}, 16), ball(0.8, {1.113, 0.207, 0.109}, 16));
+  const Triangles two =
+      together(ball(1, {0.01, 0.02, 0.03}, 16), ball(0.8, {1.113, 0.207, 0.109}, 16));
   const Result deep = remodelled(two, {.cell_size = 0.1});
   const Result plain = remodelled(two, {.cell_size = 0.1, .cell_test = CellTest::plain});
   CHECK(plain.report.marked.total() >= deep.report.marked.total());

@@ -2,6 +2,7 @@
 
 #include <catch2/catch.hpp>
 
+#include "kernel/nearest_triangle.h"
 #include "kernel/random.h"
 #include "surgery/distance_field.h"
 #include "tests/surgery/support.h"
@@ -97,4 +98,26 @@ TEST_CASE(
     CHECK((d.at(node) < 0) == s.winding.inside(node));
   }
   CHECK(d.nodes_computed() == static_cast<std::size_t>(s.lattice.planes(0) - 4));
+}
+
+TEST_CASE(
+    "a tracker gives D at the nodes of surface cells, exact, and computes what is asked only") {
+  const Triangles surface = tangle(3);
+  const Tracker tracker(surface, {.cell_size = 0.3});
+  const SurfaceDistance d = tracker.distance();
+  CHECK(d.computed() == 0);
+  const auto& nodes = d.surface_nodes();
+  CHECK(nodes.size() > 200);
+  CHECK(d.computed() == 0);
+  for (std::size_t n = 0; n < nodes.size(); n += 5) {
+    const Point at = d.lattice().node(nodes[n]);
+    double nearest = 1e300;
+    for (const Triangle& t : surface.triangles)
+      nearest =
+          std::min(nearest, distance_to_triangle(at, surface.positions[t[0]],
+                                                 surface.positions[t[1]], surface.positions[t[2]]));
+    CHECK(std::abs(d.at(nodes[n])) == nearest);
+    CHECK((d.at(nodes[n]) < 0) == (solid_angle_winding(surface, at) > 0.5));
+  }
+  CHECK(d.computed() == (nodes.size() + 4) / 5);
 }

@@ -1,0 +1,80 @@
+#include <catch2/catch.hpp>
+
+#include "surgery/invariance.h"
+#include "surgery/remodel.h"
+#include "tests/brute/lying_oracle.h"
+#include "tests/surgery/hostile.h"
+#include "tests/surgery/support.h"
+
+using namespace suture;
+
+TEST_CASE("under an oracle that lies, a remodel refuses or commits a closed manifold, never junk") {
+  int refused = 0, committed = 0;
+  for (std::uint64_t seed = 1; seed <= 600; ++seed) {
+    const HostileCase c = HostileCases(seed).make();
+    const LyingOracle oracle(seed % 3 == 0 ? 0.3 : seed % 3 == 1 ? 0.01 : 0.0005, seed);
+    Surface surface{to_mesh(c.surface), c.surface};
+    const SurgeryReport report = remodel(surface, c.options, oracle, nullptr);
+    CAPTURE(seed, report.failure);
+    if (report.outcome == Outcome::committed) {
+      ++committed;
+      CHECK(audit(surface.triangles).closed_manifold());
+    } else {
+      refused += report.outcome == Outcome::refused ? 1 : 0;
+      CHECK(surface.triangles == c.surface);
+    }
+    CHECK(to_triangles(surface.mesh) == surface.triangles);
+  }
+  CHECK(refused > 100);
+  CHECK(committed > 50);
+}
+
+TEST_CASE("the audit sees a change of winding outside the region, and none inside it") {
+  const Triangles before = ball(1, {0.01, 0.02, 0.03}, 6);
+  Triangles after = before;
+  after.positions[0] *= 1.3;  // a spike
+  std::vector<std::uint32_t> kept(before.triangles.size()), map(before.positions.size());
+  for (std::uint32_t t = 0; t < kept.size(); ++t) kept[t] = t;
+  for (std::uint32_t v = 0; v < map.size(); ++v) map[v] = v;
+  for (std::uint32_t t = 0; t < kept.size(); ++t)
+    for (const auto v : before.triangles[t])
+      if (v == 0) kept[t] = kNone;
+  map[0] = kNone;
+  const Triangles change = difference(before, after, kept, map);
+  CHECK(change.triangles.size() == 10);  // five triangles round a corner of the icosahedron, twice
+
+  const Scan s = scan(before, 0.02);
+  CHECK_FALSE(changed_outside(change, s.lattice, *s.oracle, Region{}, s.winding).empty());
+  Region all;
+  for (int i = 0; i < s.lattice.cells(0); ++i)
+    for (int j = 0; j < s.lattice.cells(1); ++j)
+      for (int k = 0; k < s.lattice.cells(2); ++k) all.cells.index(pack(i, j, k));
+  CHECK(changed_outside(change, s.lattice, *s.oracle, all, s.winding).empty());
+}
+
+TEST_CASE("hostile surgeries agree bit for bit under both arithmetics") {
+  int operated = 0;
+  for (std::uint64_t seed = 1; seed <= 80; ++seed) {
+    HostileCase c = HostileCases(seed).make();
+    Tracker filtered(c.surface, c.options);
+    const SurgeryReport report = filtered.remodel();
+    c.options.arithmetic = Arithmetic::rational;
+    Tracker rational(c.surface, c.options);
+    rational.remodel();
+    CAPTURE(seed);
+    CHECK(filtered.surface() == rational.surface());
+    operated += report.outcome == Outcome::committed ? 1 : 0;
+  }
+  CHECK(operated > 40);
+}
+
+TEST_CASE("the same input gives the same bits and the same report") {
+  const HostileCase c = HostileCases(11).make();
+  Tracker one(c.surface, c.options), two(c.surface, c.options);
+  const SurgeryReport a = one.remodel(), b = two.remodel();
+  CHECK(a.outcome == Outcome::committed);
+  CHECK(one.surface() == two.surface());
+  CHECK(a.marked.total() == b.marked.total());
+  CHECK(a.vertex_map == b.vertex_map);
+  CHECK(a.oracle.edge_side == b.oracle.edge_side);
+}
