@@ -4,6 +4,7 @@
 // A zero is returned as +0 whatever its sign would be, so that both ways give the same bits.
 #include "predicates/construct.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
@@ -17,7 +18,8 @@ namespace suture {
 
 namespace {
 
-/// a − N·(through−a)/N_axis in its parts, for numbers of either kind; the axes are in cyclic order
+/// How far below a the plane of abc passes, as a fraction: N·(through−a) / N_axis over the two
+/// other axes, s = b−a and t = c−a, for balls and whole numbers alike; the axes are in cyclic order
 /// from the one wanted.
 template <class Number>
 struct PlaneOverLine {

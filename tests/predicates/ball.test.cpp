@@ -3,6 +3,7 @@
 
 #include <gmpxx.h>
 
+#include <array>
 #include <catch2/catch.hpp>
 #include <cmath>
 

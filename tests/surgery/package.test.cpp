@@ -50,8 +50,9 @@ Triangles resolved(const Triangles& surface, double cell, const std::string& wha
 void resolve_all(int cells) {
   std::size_t closed = 0;
   for (const Listed& model : package()) {
-    Triangles mesh = read_triangles(*classic_path(model.file));
+    Triangles mesh;
     try {
+      mesh = read_triangles(*classic_path(model.file));
       require_closed_manifold(mesh, model.file);
     } catch (const InvalidInput&) {
       continue;  // their own test follows

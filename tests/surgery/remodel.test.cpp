@@ -79,7 +79,7 @@ TEST_CASE("a dumbbell whose neck is a tenth of a cell splits in two") {
 }
 
 TEST_CASE("without events nothing changes, to the last bit") {
-  const Triangles two = together(ball(1), ball(0.8, {1.1, 0.2, 0.1}));
+  const Triangles two = together(ball(1), ball(0.8, {1.113, 0.207, 0.109}));
   const Result r = remodelled(two, {.cell_size = 0.1, .events = Events::none});
   CHECK(r.report.outcome == Outcome::unchanged);
   CHECK(r.surface == two);
@@ -122,7 +122,7 @@ TEST_CASE("boxes that share faces, edges and corners with the lattice merge as a
 
 TEST_CASE("a surface snapped onto the lattice is remodelled as any other") {
   for (const double cell : {0.125, 0.0625}) {
-    Triangles two = together(ball(1, {0.01, 0.02, 0.03}, 8), ball(0.8, {1.1, 0.2, 0.1}, 8));
+    Triangles two = together(ball(1, {0.01, 0.02, 0.03}, 8), ball(0.8, {1.113, 0.207, 0.109}, 8));
     for (Point& p : two.positions)
       for (int a = 0; a < 3; ++a) p[a] = std::round(p[a] / cell) * cell;
     const Result r = remodelled(two, {.cell_size = cell});
@@ -132,7 +132,7 @@ TEST_CASE("a surface snapped onto the lattice is remodelled as any other") {
 
 TEST_CASE("a remodelled surface stays as it is, to the last bit") {
   const std::vector<Triangles> inputs = {
-      together(ball(1), ball(0.8, {1.1, 0.2, 0.1})),
+      together(ball(1), ball(0.8, {1.113, 0.207, 0.109})),
       together(box({{0, 0, 0}, {1, 1, 1}, 0.25}), box({{0.5, 0.5, 0.5}, {1, 1, 1}, 0.25})),
       dumbbell({{0.01, 0.05, 0.03}, 0.5, 2.4, 0.005, 0.2, 0.05})};
   for (const Triangles& input : inputs)
@@ -149,7 +149,7 @@ TEST_CASE("a remodelled surface stays as it is, to the last bit") {
 
 TEST_CASE("both arithmetics give the same surface, bit for bit") {
   const std::vector<Triangles> inputs = {
-      together(ball(1, Point::Zero(), 6), ball(0.8, {1.1, 0.2, 0.1}, 6)),
+      together(ball(1, Point::Zero(), 6), ball(0.8, {1.113, 0.207, 0.109}, 6)),
       together(box({{0, 0, 0}, {1, 1, 1}, 0.25}), box({{0.5, 0.5, 0.25}, {1, 1, 1}, 0.25})),
       dumbbell({{0.01, 0.05, 0.03}, 0.5, 2.4, 0.005, 0.2, 0.1})};
   for (const Triangles& input : inputs)
@@ -172,7 +172,7 @@ TEST_CASE("a refused option is named") {
 }
 
 TEST_CASE("the plain test re-samples more than the deep test does") {
-  const Triangles two = together(ball(1, {0.01, 0.02, 0.03}, 16), ball(0.8, {1.1, 0.2, 0.1}, 16));
+  const Triangles two = together(ball(1, {0.01, 0.02, 0.03}, 16), ball(0.8, {1.113, 0.207, 0.109}, 16));
   const Result deep = remodelled(two, {.cell_size = 0.1});
   const Result plain = remodelled(two, {.cell_size = 0.1, .cell_test = CellTest::plain});
   CHECK(plain.report.marked.total() >= deep.report.marked.total());
@@ -181,7 +181,7 @@ TEST_CASE("the plain test re-samples more than the deep test does") {
 
 TEST_CASE("surgery takes self-intersections away") {
   const Triangles two =
-      together(ball(1, {0.013, 0.017, 0.011}, 16), ball(0.8, {1.1, 0.2, 0.1}, 16));
+      together(ball(1, {0.013, 0.017, 0.011}, 16), ball(0.8, {1.113, 0.207, 0.109}, 16));
   REQUIRE(self_intersections(two).pairs.size() > 100);
   CHECK(self_intersections(remodelled(two, {.cell_size = 0.1}).surface).pairs.empty());
 }
