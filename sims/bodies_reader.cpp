@@ -6,7 +6,6 @@
 #include <cstdlib>
 #include <numbers>
 
-#include "kernel/lattice.h"
 #include "kernel/audit.h"
 #include "kernel/errors.h"
 #include "kernel/lattice.h"

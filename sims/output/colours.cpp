@@ -26,8 +26,8 @@ TriangleColours patch_colours(const Triangles& surface, const std::vector<double
   TriangleColours colours;
   colours.reserve(surface.triangles.size());
   for (const auto& [a, b, c] : surface.triangles) {
-    const double mean = (freshness[a] + freshness[b] + freshness[c]) / 3;
-    const auto share = static_cast<float>(std::clamp(mean, 0.0, 1.0));
+    const double least = std::min({freshness[a], freshness[b], freshness[c]});
+    const auto share = static_cast<float>(std::clamp(least, 0.0, 1.0));
     colours.push_back(kClay + share * (kAccent - kClay));
   }
   return colours;

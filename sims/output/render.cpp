@@ -11,6 +11,7 @@
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
 #include <vtkClipPolyData.h>
+#include <vtkFloatArray.h>
 #include <vtkGenericOpenGLRenderWindow.h>
 #include <vtkImageData.h>
 #include <vtkImageResize.h>
@@ -19,10 +20,10 @@
 #include <vtkObjectFactory.h>
 #include <vtkPNGWriter.h>
 #include <vtkPlane.h>
+#include <vtkPointData.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
 #include <vtkPolyDataMapper.h>
-#include <vtkPolyDataNormals.h>
 #include <vtkProperty.h>
 #include <vtkRenderStepsPass.h>
 #include <vtkRenderer.h>
@@ -35,6 +36,7 @@
 #include <numbers>
 
 #include "kernel/errors.h"
+#include "sims/output/corner_normals.h"
 
 namespace suture {
 namespace {
@@ -103,41 +105,42 @@ class Window : public vtkGenericOpenGLRenderWindow {
 };
 vtkStandardNewMacro(Window);
 
-vtkSmartPointer<vtkPolyData> to_poly_data(const Triangles& surface,
-                                          const TriangleColours& colours) {
+/// Three points of its own for each triangle, so that normals may differ across sharp edges.
+vtkSmartPointer<vtkPolyData> to_poly_data(const Triangles& surface, const TriangleColours& colours,
+                                          double feature_angle) {
+  const auto corners = corner_normals(surface, feature_angle);
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
-  points->Allocate(static_cast<vtkIdType>(surface.positions.size()));
-  for (const Point& p : surface.positions) points->InsertNextPoint(p.data());
+  vtkNew<vtkFloatArray> normals;
+  normals->SetNumberOfComponents(3);
   vtkNew<vtkCellArray> cells;
-  for (const Triangle& t : surface.triangles) cells->InsertNextCell({t[0], t[1], t[2]});
+  for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
+    const auto first = static_cast<vtkIdType>(3 * t);
+    for (std::size_t i = 0; i < 3; ++i) {
+      points->InsertNextPoint(surface.positions[surface.triangles[t][i]].data());
+      normals->InsertNextTuple(corners[t][i].data());
+    }
+    cells->InsertNextCell({first, first + 1, first + 2});
+  }
   auto data = vtkSmartPointer<vtkPolyData>::New();
   data->SetPoints(points);
   data->SetPolys(cells);
-  if (!colours.empty()) {
-    vtkNew<vtkUnsignedCharArray> bytes;
-    bytes->SetNumberOfComponents(3);
-    for (const Eigen::Vector3f& c : colours)
-      bytes->InsertNextTuple3(255 * c[0], 255 * c[1], 255 * c[2]);
-    data->GetCellData()->SetScalars(bytes);
-  }
+  data->GetPointData()->SetNormals(normals);
+  if (colours.empty()) return data;
+  vtkNew<vtkUnsignedCharArray> bytes;
+  bytes->SetNumberOfComponents(3);
+  for (const Eigen::Vector3f& c : colours)
+    bytes->InsertNextTuple3(255 * c[0], 255 * c[1], 255 * c[2]);
+  data->GetCellData()->SetScalars(bytes);
   return data;
 }
 
-/// Feature-aware normals, then the cut.
-vtkSmartPointer<vtkPolyData> prepared(vtkPolyData* data, const PictureOptions& options) {
-  vtkNew<vtkPolyDataNormals> normals;
-  normals->SetInputData(data);
-  normals->SetFeatureAngle(options.feature_angle);
-  normals->SplittingOn();
-  normals->ConsistencyOff();
-  normals->Update();
-  if (!options.cut) return normals->GetOutput();
+vtkSmartPointer<vtkPolyData> cut(vtkPolyData* data, const CutPlane& where) {
   vtkNew<vtkPlane> plane;
-  plane->SetOrigin(options.cut->point.data());
-  plane->SetNormal(options.cut->normal.data());
+  plane->SetOrigin(where.point.data());
+  plane->SetNormal(where.normal.data());
   vtkNew<vtkClipPolyData> clip;
-  clip->SetInputConnection(normals->GetOutputPort());
+  clip->SetInputData(data);
   clip->SetClipFunction(plane);
   clip->InsideOutOn();
   clip->Update();
@@ -151,7 +154,7 @@ void add_surface(vtkRenderer* renderer, vtkPolyData* data, const PictureOptions&
   actor->SetMapper(mapper);
   vtkProperty* look = actor->GetProperty();
   look->SetColor(0.80, 0.83, 0.86);
-  look->SetAmbient(0.30);
+  look->SetAmbient(0.34);
   look->SetDiffuse(0.80);
   look->SetSpecular(0.14);
   look->SetSpecularPower(30);
@@ -189,12 +192,14 @@ void add_light(vtkRenderer* renderer, const Point& from, double intensity, const
   renderer->AddLight(light);
 }
 
-/// A warm key from the upper left, a cool fill from the right, and a light from behind for the rim.
+/// A warm key from the upper left, a cool fill from the right, a rim light from behind, and what a
+/// light floor would throw back from below.
 void light_studio(vtkRenderer* renderer) {
   renderer->AutomaticLightCreationOff();
   add_light(renderer, {-0.7, 1.0, 0.9}, 0.80, {1.0, 0.98, 0.95});
   add_light(renderer, {1.2, 0.15, 0.7}, 0.36, {0.84, 0.91, 1.0});
   add_light(renderer, {0.2, 0.9, -1.2}, 0.35, {1.0, 1.0, 1.0});
+  add_light(renderer, {-0.3, -1.0, 0.6}, 0.16, {0.95, 0.95, 1.0});
   renderer->SetBackground(0.90, 0.91, 0.925);
   renderer->SetBackground2(0.985, 0.985, 0.99);
   renderer->GradientBackgroundOn();
@@ -289,7 +294,8 @@ void render_png(const Triangles& surface, const TriangleColours& colours,
   light_studio(renderer);
   const bool empty = surface.triangles.empty();
   if (!empty) {
-    const auto data = prepared(to_poly_data(surface, colours), options);
+    auto data = to_poly_data(surface, colours, options.feature_angle);
+    if (options.cut) data = cut(data, *options.cut);
     add_surface(renderer, data, options);
     if (options.cut) add_section(renderer, data);
     const Box box = options.fit ? *options.fit : bounding_box(surface.positions);
