@@ -9,8 +9,9 @@ namespace suture {
 
 /// Improves `mesh` in place until no edge is too long or short and no triangle is bad, or nothing
 /// more is allowed, or options.passes have run. The result is closed and manifold where the input
-/// is; garbage is collected, and the report maps old vertices to new ones. Deterministic. \pre
-/// options.edge_length > 0; rules.lattice and rules.oracle both set or both null
+/// is; garbage is collected, and the report maps old vertices to new ones; its refused collapses
+/// are those of the last pass. Deterministic. \pre lattice and oracle both set or both null \throw
+/// InvalidInput unless options.edge_length is finite and above zero
 QualityReport improve(Mesh& mesh, const QualityOptions& options, const Lattice* lattice,
                       const Oracle* oracle);
 

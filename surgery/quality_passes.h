@@ -51,6 +51,10 @@ Mesh::Vertex_index split_edge(Mesh& mesh, Mesh::Halfedge_index h, const Point& a
 /// The change that split_edge would be.
 LocalChange split_change(const Mesh& mesh, Mesh::Halfedge_index h, const Point& at);
 
+/// Middle of the cubic of Vlachos et al.'s curved PN triangles along the edge; on features, whose
+/// vertex normals mean nothing, the midpoint.
+Point curved_point(const Improvement& improvement, Mesh::Halfedge_index h);
+
 /// Each splits, collapses or flips what is too long, too short or bad, and returns how often.
 std::size_t subdivide_long_edges(Improvement& improvement);
 std::size_t collapse_short_edges(Improvement& improvement);

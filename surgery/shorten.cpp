@@ -57,7 +57,11 @@ Ways ways_to_collapse(const Improvement& work, Mesh::Halfedge_index h) {
   const Point p = to_point(mesh.point(mesh.source(h))), q = to_point(mesh.point(mesh.target(h)));
   const bool source_free = vertex_kind(mesh, mesh.source(h), work.rules) == VertexKind::free;
   const bool target_free = vertex_kind(mesh, mesh.target(h), work.rules) == VertexKind::free;
-  if (source_free && target_free) return {{h, volume_keeping_point(mesh, h)}, {h, q}, {back, p}};
+  if (source_free && target_free) {
+    // Splits on the curve and collapses that keep the volume would blow the surface up together.
+    const bool curved = work.options.subdivision == Subdivision::curved;
+    return {{h, curved ? curved_point(work, h) : volume_keeping_point(mesh, h)}, {h, q}, {back, p}};
+  }
   if (target_free) return {{back, p}, {h, q}};
   return {{h, q}, {back, p}};
 }

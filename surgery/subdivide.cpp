@@ -1,4 +1,5 @@
 // Long edges are split, the longest first [§6.2].
+#include <algorithm>
 #include <queue>
 #include <tuple>
 
@@ -16,10 +17,16 @@ struct LongEdge {
   }
 };
 
+/// Weighted so that it is exact on a sphere, however irregular the star [Max 1999].
 Point vertex_normal(const Mesh& mesh, Mesh::Vertex_index v) {
   Point sum = Point::Zero();
-  for (const auto h : mesh.halfedges_around_target(mesh.halfedge(v)))
-    sum += area_vector(corners(mesh, mesh.face(h)));
+  const Point at = to_point(mesh.point(v));
+  for (const auto h : mesh.halfedges_around_target(mesh.halfedge(v))) {
+    const Point a = to_point(mesh.point(mesh.target(mesh.next(h)))) - at;
+    const Point b = to_point(mesh.point(mesh.source(h))) - at;
+    const double weight = a.squaredNorm() * b.squaredNorm();
+    if (weight > 0) sum += a.cross(b) / weight;
+  }
   return sum.normalized();
 }
 
@@ -27,8 +34,8 @@ Point midpoint(const Mesh& mesh, Mesh::Halfedge_index h) {
   return (to_point(mesh.point(mesh.source(h))) + to_point(mesh.point(mesh.target(h)))) / 2;
 }
 
-/// Middle of the cubic of Vlachos et al.'s curved PN triangles along the edge; on features, whose
-/// vertex normals mean nothing, the midpoint.
+}  // namespace
+
 Point curved_point(const Improvement& work, Mesh::Halfedge_index h) {
   const Mesh& mesh = work.mesh;
   const Point middle = midpoint(mesh, h);
@@ -41,16 +48,29 @@ Point curved_point(const Improvement& work, Mesh::Halfedge_index h) {
   return middle - (along.dot(at_source) * at_source - along.dot(at_target) * at_target) / 8;
 }
 
+namespace {
+
 /// Where to split: the point asked for if the rules allow it, else the middle, else off the middle,
 /// where rounding may not push a lattice node through the surface.
 Refusal choose_point(const Improvement& work, Mesh::Halfedge_index h, Point& at) {
   const Point a = to_point(work.mesh.point(work.mesh.source(h)));
   const Point b = to_point(work.mesh.point(work.mesh.target(h)));
   const Point middle = midpoint(work.mesh, h);
+  const Point c = to_point(work.mesh.point(work.mesh.target(work.mesh.next(h))));
+  const Point d =
+      to_point(work.mesh.point(work.mesh.target(work.mesh.next(work.mesh.opposite(h)))));
+  const auto is_near = [&](const Point& p) {
+    // Edges that only grew where normals mislead would be split for ever.
+    const double furthest =
+        std::max({(p - a).norm(), (p - b).norm(), (p - c).norm(), (p - d).norm()});
+    return furthest <= std::max({(b - a).norm(), (c - middle).norm(), (d - middle).norm()});
+  };
+  Point first = middle;
+  if (work.options.subdivision == Subdivision::curved && is_near(curved_point(work, h)))
+    first = curved_point(work, h);
   Refusal refusal = Refusal::none;
   for (const Point& p :
-       {work.options.subdivision == Subdivision::curved ? curved_point(work, h) : middle, middle,
-        Point(0.4375 * a + 0.5625 * b), Point(0.5625 * a + 0.4375 * b)}) {
+       {first, middle, Point(0.4375 * a + 0.5625 * b), Point(0.5625 * a + 0.4375 * b)}) {
     at = p;
     refusal = judge(split_change(work.mesh, h, p), work.rules);
     if (refusal == Refusal::none) break;
