@@ -20,8 +20,11 @@ enum class Collapse { straighten, keep };
 
 /// Where the fill's own vertices go along their lattice edge [§6.1 step 5].
 enum class Placement {
-  distance_field,  ///< the zero of D between its two nodes, as the paper does
-  crossing         ///< the exact point where the mesh passes from outside to inside
+  /// The zero of D between its two nodes, as the paper does. D is the distance to any sheet: one
+  /// that is
+  /// about to be swallowed is often the nearest to an inside node, and draws the vertex inwards.
+  distance_field,
+  crossing  ///< the exact point where the mesh passes from outside to inside
 };
 
 /// Where subdivision puts a new vertex [§6.2].
@@ -52,7 +55,8 @@ struct TrackerOptions {
   CellTest cell_test = CellTest::deep;
   int depth = 1;  ///< whole cells that a deep cell is away from the isosurface, >= 0
   Collapse collapse = Collapse::straighten;
-  Placement placement = Placement::distance_field;
+  Placement placement =
+      Placement::crossing;  ///< D is −0.46 % off on two horses at 128, this −0.04 %
   Arithmetic arithmetic = Arithmetic::filtered;
   double straighten_turn = 60;  ///< degrees: the most a normal may turn when a type 2 vertex goes
   QualityOptions quality{};

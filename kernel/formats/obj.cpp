@@ -19,7 +19,7 @@ constexpr std::array<std::string_view, 22> kPassedOver = {
 std::int64_t corner(std::string_view token, const TextLines& text, std::size_t positions) {
   const auto index = parse_integer(token.substr(0, token.find('/')));
   if (!index || *index == 0)
-    throw text.refusal("a face has the vertex " + quoted(token) +
+    throw text.refusal("a face has the vertex " + in_quotes(token) +
                            ", which is no index from 1 or from -1 backwards",
                        "export the mesh again");
   if (*index > 0) return *index - 1;
@@ -48,7 +48,7 @@ Triangles parse_obj(std::string_view bytes, const std::string& file) {
         face.push_back(corner(t, text, builder.positions()));
       builder.add_face(face, text.line());
     } else if (std::find(kPassedOver.begin(), kPassedOver.end(), keyword) == kPassedOver.end()) {
-      throw text.refusal(quoted(keyword) + " is not a keyword of an OBJ mesh",
+      throw text.refusal(in_quotes(keyword) + " is not a keyword of an OBJ mesh",
                          "export the mesh again as polygons");
     }
   }

@@ -17,13 +17,13 @@ Counts header(TextLines& text) {
   for (const std::string_view extra : {"ST", "C", "N"})  // values that follow each position
     if (keyword.starts_with(extra)) keyword.remove_prefix(extra.size());
   if (keyword != "OFF")
-    throw text.refusal("the file does not start with OFF, but with " + quoted(keyword),
+    throw text.refusal("the file does not start with OFF, but with " + in_quotes(keyword),
                        "use the extension of its real format, or export it again");
   const auto next = [&] {
     const std::string_view token = text.token_anywhere();
     const auto count = parse_integer(token);
     if (!count || *count < 0)
-      throw text.refusal("a count of vertices and faces was expected, not " + quoted(token),
+      throw text.refusal("a count of vertices and faces was expected, not " + in_quotes(token),
                          "only OFF files of text with three coordinates can be read");
     return *count;
   };
@@ -60,7 +60,7 @@ Triangles parse_off(std::string_view bytes, const std::string& file) {
     builder.add_face(face, text.line());
   }
   if (text.next_line())
-    throw text.refusal("there is more after the last face: " + quoted(text.token()),
+    throw text.refusal("there is more after the last face: " + in_quotes(text.token()),
                        "the counts at the top are wrong: export the mesh again");
   return std::move(builder).finish();
 }

@@ -12,7 +12,7 @@ namespace {
 
 // One element in words, for messages.
 std::string nth(const PlyElement& element, std::int64_t i) {
-  return quoted(element.name) + " " + std::to_string(i) + " of " + std::to_string(element.count);
+  return in_quotes(element.name) + " " + std::to_string(i) + " of " + std::to_string(element.count);
 }
 
 // Values of a text body: an element is a line.
@@ -27,7 +27,7 @@ class TextValues {
   void end(const PlyElement& element, std::int64_t i) {
     if (const std::string_view more = text_.token(); !more.empty())
       throw text_.refusal(
-          nth(element, i) + " has more values than the header says: " + quoted(more),
+          nth(element, i) + " has more values than the header says: " + in_quotes(more),
           "the file is damaged; export it again");
   }
   double number(PlyType type) {
@@ -38,7 +38,7 @@ class TextValues {
   std::size_t line() const { return text_.line(); }
   void finish() {
     if (text_.next_line())
-      throw text_.refusal("there is more after the last element: " + quoted(text_.token()),
+      throw text_.refusal("there is more after the last element: " + in_quotes(text_.token()),
                           "the counts in the header are wrong: export the mesh again");
   }
 

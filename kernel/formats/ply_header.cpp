@@ -30,7 +30,7 @@ PlyType read_type(TextLines& text) {
   const std::string_view token = text.token();
   for (const auto& [name, type] : kTypes)
     if (name == token) return type;
-  throw text.refusal(quoted(token) + " is no type of a PLY property",
+  throw text.refusal(in_quotes(token) + " is no type of a PLY property",
                      "the header is damaged: export the mesh again");
 }
 
@@ -41,7 +41,7 @@ PlyFormat read_format(TextLines& text) {
   if (token == "ascii") return PlyFormat::ascii;
   if (token == "binary_little_endian") return PlyFormat::little_endian;
   if (token == "binary_big_endian") return PlyFormat::big_endian;
-  throw text.refusal(quoted(token) + " is no format of a PLY file",
+  throw text.refusal(in_quotes(token) + " is no format of a PLY file",
                      "the header is damaged: export the mesh again");
 }
 
@@ -51,7 +51,7 @@ PlyElement read_element(TextLines& text) {
   element.count = text.integer("the count of an element");
   element.header_line = text.line();
   if (element.count < 0)
-    throw text.refusal("the count of " + quoted(element.name) + " is negative",
+    throw text.refusal("the count of " + in_quotes(element.name) + " is negative",
                        "the header is damaged: export the mesh again");
   return element;
 }
@@ -123,7 +123,7 @@ PlyHeader read_ply_header(TextLines& text) {
       require_surface(header, text);
       return header;
     } else if (keyword != "comment" && keyword != "obj_info") {
-      throw text.refusal(quoted(keyword) + " does not belong in a PLY header",
+      throw text.refusal(in_quotes(keyword) + " does not belong in a PLY header",
                          "the header is damaged: export the mesh again");
     }
   }

@@ -44,14 +44,14 @@ void expect(TextLines& text, std::string_view keyword) {
   if (token == keyword) return;
   throw text.refusal(token.empty()
                          ? "the file ends where '" + std::string(keyword) + "' should stand"
-                         : quoted(token) + " stands where '" + std::string(keyword) + "' should",
+                         : in_quotes(token) + " stands where '" + std::string(keyword) + "' should",
                      "it is incomplete or damaged: fetch or export it again");
 }
 
 double coordinate(TextLines& text) {
   const std::string_view token = text.token_anywhere();
   if (const auto x = parse_number(token)) return *x;
-  throw text.refusal("a coordinate is missing or is not a number: " + quoted(token),
+  throw text.refusal("a coordinate is missing or is not a number: " + in_quotes(token),
                      "the file is damaged; export it again");
 }
 

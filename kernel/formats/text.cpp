@@ -49,7 +49,7 @@ void append_integer(std::string& text, std::uint64_t x) {
   text.append(digits, std::to_chars(digits, digits + sizeof digits, x).ptr);
 }
 
-std::string quoted(std::string_view token) {
+std::string in_quotes(std::string_view token) {
   constexpr std::size_t longest = 40;
   std::string out = "'";
   for (const char c : token.substr(0, longest)) out += c >= ' ' && c < 127 ? c : '?';
@@ -99,16 +99,16 @@ InvalidInput TextLines::refusal(const std::string& what, const std::string& advi
 double TextLines::number(const char* of_what) {
   const std::string_view next = token();
   if (const auto x = parse_number(next)) return *x;
-  throw refusal(
-      std::string(of_what) + (next.empty() ? " is missing" : " is not a number: " + quoted(next)),
-      "the file is damaged; export it again");
+  throw refusal(std::string(of_what) +
+                    (next.empty() ? " is missing" : " is not a number: " + in_quotes(next)),
+                "the file is damaged; export it again");
 }
 
 std::int64_t TextLines::integer(const char* of_what) {
   const std::string_view next = token();
   if (const auto i = parse_integer(next)) return *i;
   throw refusal(std::string(of_what) +
-                    (next.empty() ? " is missing" : " is not a whole number: " + quoted(next)),
+                    (next.empty() ? " is missing" : " is not a whole number: " + in_quotes(next)),
                 "the file is damaged; export it again");
 }
 

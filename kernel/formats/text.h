@@ -20,7 +20,7 @@ void append_number(std::string& text, double x);
 void append_integer(std::string& text, std::uint64_t x);
 
 /// A token as a message may quote it: short, and printable.
-std::string quoted(std::string_view token);
+std::string in_quotes(std::string_view token);
 
 /// Walks over lines and the tokens in them. LF and CRLF both end a line; a comment runs from the
 /// comment character to the end of its line; a backslash at the end joins two lines if asked to.

@@ -153,7 +153,7 @@ void add_resolve(CLI::App& app, int& exit) {
   add_choice(*command, "--collapse", s->tracker.collapse, kCollapseNames,
              "Vertices on the region's boundary: straighten (the default) or keep");
   add_choice(*command, "--placement", s->tracker.placement, kPlacementNames,
-             "New vertices: distance_field (the default) or crossing");
+             "New vertices: crossing (the default) or distance_field");
   add_choice(*command, "--cell-test", s->tracker.cell_test, kCellTestNames,
              "Cells to re-sample: deep (the default) or plain");
   add_choice(*command, "--arithmetic", s->tracker.arithmetic, kArithmeticNames,
