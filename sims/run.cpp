@@ -53,13 +53,13 @@ class Run {
     } catch (const InvalidInput& error) {
       stop(error.what());
       throw InvalidInput(
-          fmt::format("{}: step {}: {}", scene_.file.string(), summary_.steps, error.what()));
+          fmt::format("{}: step {}: {}", scene_.file.string(), current_, error.what()));
     } catch (const std::exception& error) {
       const fs::path mesh = folder_ / "reproducer.ply";
       write_triangles(mesh, tracker_.surface());
       stop(error.what());
       throw InternalFailure(
-          fmt::format("step {}", summary_.steps),
+          fmt::format("step {}", current_),
           fmt::format("{}; the surface is saved as {}", error.what(), mesh.string()));
     }
     summary_.audit = audit(tracker_.surface());
@@ -86,16 +86,17 @@ class Run {
   bool vanished() const { return tracker_.surface().triangles.empty(); }
 
   void step(std::int64_t index) {
+    current_ = index;
     const TimeOptions& time = scene_.time;
     const double until = std::min(static_cast<double>(index) * time.step, time.end);
     const double dt = until - tracker_.time();
     phase().advance(tracker_, dt);
-    summary_.steps = index;
     for (double& f : freshness_) f = fading_ > 0 ? std::max(0.0, f - dt / fading_) : 0.0;
     const bool last = index == time.steps();
     if (time.remodel_every > 0 && (index % time.remodel_every == 0 || last)) remodel(index);
     if (time.improve_every > 0 && (index % time.improve_every == 0 || last) && !vanished())
       improve(index);
+    summary_.steps = index;
   }
 
   Motion& phase() {
@@ -204,6 +205,7 @@ class Run {
   Tracker tracker_;
   std::vector<double> freshness_;  ///< of each vertex: 1 as surgery made it, fading to 0
   double fading_ = 0;
+  std::int64_t current_ = 0;  ///< the step at work
   Stopwatch watch_;
   json report_;
   RunSummary summary_;

@@ -36,6 +36,7 @@
 #include <numbers>
 
 #include "kernel/errors.h"
+#include "kernel/files.h"
 #include "sims/output/corner_normals.h"
 
 namespace suture {
@@ -261,19 +262,13 @@ void check(const Triangles& surface, const TriangleColours& colours,
 }
 
 void write_png(vtkImageData* image, const std::filesystem::path& file) {
-  const std::filesystem::path temporary = file.string() + ".tmp";
   vtkNew<vtkPNGWriter> writer;
   writer->SetInputData(image);
-  writer->SetFileName(temporary.c_str());
+  writer->WriteToMemoryOn();
   writer->Write();
-  std::error_code error;
-  if (writer->GetErrorCode() == 0) std::filesystem::rename(temporary, file, error);
-  if (writer->GetErrorCode() != 0 || error) {
-    std::filesystem::remove(temporary, error);
-    throw InvalidInput(file.string() +
-                       ": the picture cannot be written; check that the folder "
-                       "exists and may be written to");
-  }
+  vtkUnsignedCharArray* bytes = writer->GetResult();
+  write_file(file, {reinterpret_cast<const char*>(bytes->GetPointer(0)),
+                    static_cast<std::size_t>(bytes->GetNumberOfValues())});
 }
 
 }  // namespace
