@@ -11,10 +11,10 @@
 namespace suture {
 
 double expected_crossings(const Triangles& surface, const Lattice& lattice) {
-  auto cell = [&](std::uint32_t v) {
-    const Index3 c = lattice.cell_of(surface.positions[v]);
-    return Point(c[0], c[1], c[2]);
-  };
+  Point per_unit;
+  for (int a = 0; a < 3; ++a)
+    per_unit[a] = lattice.cells(a) / (lattice.plane(a, lattice.cells(a)) - lattice.plane(a, 0));
+  auto cell = [&](std::uint32_t v) -> Point { return surface.positions[v].cwiseProduct(per_unit); };
   double edges = 0, lines = 0;
   for (const Triangle& t : surface.triangles) {
     const Point a = cell(t[0]), b = cell(t[1]), c = cell(t[2]);

@@ -31,7 +31,7 @@ class Cutter {
       : in_(input), sites_(sites), inserted_(input.crossings.edge_crossings.size(), 0) {
     for (std::uint32_t t = 0; t < in_.mesh.triangles.size(); ++t) {
       const Touch how = touch(in_, t);
-      if (how == Touch::inside) done_[t] = {};
+      if (how == Touch::inside) inside_.push_back(t);
       if (how == Touch::partly) waiting_.push_back(t);
       if (how == Touch::partly && pieces == Pieces::cell_by_cell) split_.insert_or_assign(t, 1);
     }
@@ -41,11 +41,15 @@ class Cutter {
   CutMesh run() {
     for (std::size_t next = 0; next < waiting_.size(); ++next) cut_triangle(waiting_[next]);
     CutMesh result;
+    result.touched = std::move(inside_);
     for (const auto& [t, kept] : done_) {
       result.touched.push_back(t);
       result.kept.insert(result.kept.end(), kept.triangles.begin(), kept.triangles.end());
       result.boundary.insert(result.boundary.end(), kept.arcs.begin(), kept.arcs.end());
     }
+    std::sort(result.touched.begin(), result.touched.end());
+    result.touched.erase(std::unique(result.touched.begin(), result.touched.end()),
+                         result.touched.end());  // a split triangle's neighbour may be inside
     result.split_triangles = split_.size();
     return result;
   }
@@ -88,7 +92,7 @@ class Cutter {
   const CutInput& in_;
   Sites& sites_;
   std::vector<char> inserted_;  // by edge crossing: a vertex although no region boundary is there
-  std::vector<std::uint32_t> waiting_;
+  std::vector<std::uint32_t> inside_, waiting_;
   std::map<std::uint32_t, Kept> done_;
   std::map<std::uint32_t, char> split_;
 };

@@ -156,17 +156,22 @@ std::optional<std::vector<Triangle>> KeptPieces::triangulate(
 }
 
 std::optional<std::vector<Triangle>> KeptPieces::merged(const std::vector<char>& inserted) {
-  const std::vector<std::uint32_t> component = components();
-  std::map<std::uint32_t, std::vector<std::vector<std::uint32_t>>> loops;
+  std::vector<std::vector<std::uint32_t>> loops;
+  std::vector<std::uint32_t> first;  // side of each loop
   std::vector<char> seen(pieces_.sides.size(), 0);
   for (std::uint32_t s = 0; s < pieces_.sides.size(); ++s)
-    if (seen[s] == 0 && kept(pieces_.sides[s]) && on_boundary(pieces_.sides[s]))
-      loops[component[s]].push_back(loop_from(s, inserted, seen));
+    if (seen[s] == 0 && kept(pieces_.sides[s]) && on_boundary(pieces_.sides[s])) {
+      first.push_back(s);
+      loops.push_back(loop_from(s, inserted, seen));
+      if (loops.back().size() < 3) return std::nullopt;
+    }
+  if (loops.size() < 2) return loops.empty() ? std::vector<Triangle>{} : triangulate(loops);
+  const std::vector<std::uint32_t> component = components();
+  std::map<std::uint32_t, std::vector<std::vector<std::uint32_t>>> together;
+  for (std::size_t l = 0; l < loops.size(); ++l)
+    together[component[first[l]]].push_back(std::move(loops[l]));
   std::vector<Triangle> all;
-  for (const auto& [root, of_component] : loops) {
-    if (std::any_of(of_component.begin(), of_component.end(),
-                    [](const auto& loop) { return loop.size() < 3; }))
-      return std::nullopt;
+  for (const auto& [root, of_component] : together) {
     const auto triangles = triangulate(of_component);
     if (!triangles) return std::nullopt;
     all.insert(all.end(), triangles->begin(), triangles->end());
