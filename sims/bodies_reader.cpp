@@ -55,6 +55,13 @@ Triangles shape(Keys& keys, const std::string& key, TomlTable& body) {
   }
 }
 
+/// Turned by `degrees` about the axis that the key `about` gives, z by default.
+Triangles turned(Triangles surface, Keys& keys, const std::string& about, double degrees) {
+  const Point axis = keys.vector(about, Point::UnitZ());
+  if (!(axis.norm() > 0)) keys.refuse(about, "has no direction");
+  return rotated(std::move(surface), axis, degrees * std::numbers::pi / 180);
+}
+
 struct Source {
   Triangles surface;
   std::string name;
@@ -79,7 +86,9 @@ Source read_source(TomlTable& body, const fs::path& folder, std::vector<std::str
                              "there, or name a shape as fallback");
   notes.push_back("the model " + name + " is not here: the shape " + keys.text("fallback") +
                   " takes its place");
-  return {shape(keys, "fallback", body), keys.text("fallback")};
+  const double degrees = keys.number("fallback_rotate", Range::any(), 0);
+  return {turned(shape(keys, "fallback", body), keys, "fallback_rotate_axis", degrees),
+          keys.text("fallback")};
 }
 
 /// So that scenes can count on a model's place and size, whatever a scanner's unit was.
@@ -93,10 +102,7 @@ Triangles normalised(const Triangles& surface) {
 Triangles placed(Triangles surface, Keys& keys) {
   if (keys.flag("normalise", false)) surface = normalised(surface);
   surface = scaled(surface, keys.number("scale", Range::above(0), 1));
-  const double degrees = keys.number("rotate", Range::any(), 0);
-  const Point axis = keys.vector("rotate_axis", Point::UnitZ());
-  if (!(axis.norm() > 0)) keys.refuse("rotate_axis", "has no direction");
-  surface = rotated(surface, axis, degrees * std::numbers::pi / 180);
+  surface = turned(std::move(surface), keys, "rotate_axis", keys.number("rotate", Range::any(), 0));
   return translated(surface, keys.vector("translate", Point::Zero()));
 }
 
@@ -124,7 +130,9 @@ void read_body(TomlTable& body, const fs::path& folder, Bodies& bodies) {
     for (const std::string& done : repair(source.surface).in_words())
       bodies.notes.push_back(source.name + ": " + done);
   }
-  keys.text("fallback", "");
+  keys.text("fallback", "");  // known, and of no use where the model is there
+  keys.number("fallback_rotate", Range::any(), 0);
+  keys.vector("fallback_rotate_axis", Point::UnitZ());
   require_usable(source.surface, body.where + ": " + source.name);
   source.surface = placed(std::move(source.surface), keys);
   const Point velocity = keys.vector("velocity", Point::Zero());

@@ -49,7 +49,7 @@ struct StretchParameters {
 };
 VelocityField stretch(const StretchParameters& parameters);
 
-/// Compresses along `axis`, stretches along `up`, and drives a wave along `up` whose length shrinks
+/// Compresses along `axis`, stretches across it, and drives a wave along `up` whose length shrinks
 /// with the material, so that a flat sheet across `up` folds up like a curtain.
 struct FoldParameters {
   Point centre = Point::Zero(), axis = Point::UnitX(), up = Point::UnitZ();

@@ -17,9 +17,10 @@ VelocityField fold(const FoldParameters& parameters) {
   const double rate = parameters.rate, amplitude = parameters.amplitude;
   const double wave_number = 2 * std::numbers::pi / parameters.wavelength;
   return [=](const Point& x, double t) -> Point {
-    const double s = axis.dot(x - centre), h = up.dot(x - centre);
+    const double s = axis.dot(x - centre);
     const double wave = amplitude * std::cos(wave_number * std::exp(rate * t) * s);
-    return -rate * s * axis + (rate * h + wave) * up;
+    const Point across = x - centre - s * axis;
+    return rate * (0.5 * across - s * axis) + wave * up;
   };
 }
 

@@ -26,8 +26,9 @@ TriangleColours patch_colours(const Triangles& surface, const std::vector<double
   TriangleColours colours;
   colours.reserve(surface.triangles.size());
   for (const auto& [a, b, c] : surface.triangles) {
-    const double least = std::min({freshness[a], freshness[b], freshness[c]});
-    const auto share = static_cast<float>(std::clamp(least, 0.0, 1.0));
+    const double x = freshness[a], y = freshness[b], z = freshness[c];
+    const double median = std::max(std::min(x, y), std::min(std::max(x, y), z));
+    const auto share = static_cast<float>(std::clamp(median, 0.0, 1.0));
     colours.push_back(kClay + share * (kAccent - kClay));
   }
   return colours;

@@ -5,8 +5,8 @@
 
 namespace suture {
 
-/// Grey, blended towards a warm accent by how fresh the least fresh of a triangle's vertices is: 1
-/// as surgery made it, 0 as it always was. \pre one freshness for each vertex
+/// Grey, blended towards a warm accent by the median freshness of a triangle's vertices: 1 as
+/// surgery made them, 0 as they always were. \pre one freshness for each vertex
 TriangleColours patch_colours(const Triangles& surface, const std::vector<double>& freshness);
 
 /// A colour a connected component, from a palette that repeats.
