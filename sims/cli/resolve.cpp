@@ -115,6 +115,7 @@ void resolve(Settings s, const CLI::App& command) {
     throw InvalidInput(
         "nothing is left of the input at this cell size: every part is thinner than "
         "a cell; give a smaller cell, or --events merge");
+  write_triangles(s.out, surface);  // first: if it fails, nothing else is left behind
   if (!s.picture.empty()) render_png(surface, patches(surface, report), {}, s.picture);
   if (!s.report.empty()) {
     nlohmann::json json = to_json(report);
@@ -124,7 +125,6 @@ void resolve(Settings s, const CLI::App& command) {
     json["after"] = measured(surface);
     write_file(s.report, json.dump(1) + "\n");
   }
-  write_triangles(s.out, surface);
   fmt::print(
       "{}: {} triangles, {} components before; {} triangles, {} components after; {} cells "
       "re-sampled\n",
