@@ -48,12 +48,13 @@ class FaceCurves {
 };
 
 void cross_triangle(const Incidence& mesh, std::uint32_t t, const Lattice& lattice,
-                    const Oracle& oracle, Crossings& out, FaceCurves& curves,
+                    const Oracle& oracle, Lines lines, Crossings& out, FaceCurves& curves,
                     std::vector<LineStep>& steps, TrianglePlanes& planes) {
   const Triangle& v = mesh.triangles[t];
   const LatticeTriangle shape =
       lattice_triangle(mesh.positions[v[0]], mesh.positions[v[1]], mesh.positions[v[2]]);
-  for (int axis = 0; axis < 3; ++axis) {
+  const int axes = lines == Lines::all ? 3 : 1;  // lines along z are recorded in planes across x
+  for (int axis = 0; axis < axes; ++axis) {
     triangle_planes(mesh, out, t, axis, planes);
     for (const PlaneEnds& ends : planes.ends) {
       const LatticeId from = out.edge_crossings[ends.up].face,
@@ -101,7 +102,8 @@ void triangle_planes(const Incidence& mesh, const Crossings& crossings, std::uin
                                              " does not pass a plane once up and once down");
 }
 
-Crossings find_crossings(const Incidence& mesh, const Lattice& lattice, const Oracle& oracle) {
+Crossings find_crossings(const Incidence& mesh, const Lattice& lattice, const Oracle& oracle,
+                         Lines lines) {
   Crossings out;
   out.vertex_cell.reserve(mesh.positions.size());
   for (const Point& p : mesh.positions) out.vertex_cell.push_back(lattice.cell_of(p));
@@ -117,10 +119,11 @@ Crossings find_crossings(const Incidence& mesh, const Lattice& lattice, const Or
     if (out.vertex_cell[v[0]] == out.vertex_cell[v[1]] &&
         out.vertex_cell[v[1]] == out.vertex_cell[v[2]])
       continue;
-    cross_triangle(mesh, t, lattice, oracle, out, curves, steps, planes);
+    cross_triangle(mesh, t, lattice, oracle, lines, out, curves, steps, planes);
   }
   out.triangle_begin.push_back(static_cast<std::uint32_t>(out.line_crossings.size()));
 
+  if (lines != Lines::all) return out;
   for (std::uint32_t c = 0; c < out.edge_crossings.size(); ++c)
     if (curves.is_loop(c))
       out.loop_faces[out.edge_crossings[c].axis].push_back(out.edge_crossings[c].face);

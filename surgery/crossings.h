@@ -31,9 +31,13 @@ struct Crossings {
   std::size_t size() const { return edge_crossings.size() + line_crossings.size(); }
 };
 
+/// Which lattice lines are scanned: all, or those along z, which are enough for windings.
+enum class Lines { all, along_z };
+
 /// \pre the lattice holds every vertex with a cell to spare; positions finite
 /// \throw InternalFailure where the oracle contradicts itself
-Crossings find_crossings(const Incidence& mesh, const Lattice& lattice, const Oracle& oracle);
+Crossings find_crossings(const Incidence& mesh, const Lattice& lattice, const Oracle& oracle,
+                         Lines lines = Lines::all);
 
 /// Where the boundary of a triangle passes a plane: its two edge crossings there.
 struct PlaneEnds {

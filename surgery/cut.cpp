@@ -13,7 +13,11 @@ namespace {
 enum class Touch { outside, partly, inside };
 
 /// Whether the triangle's cells are all outside the region, all in it, or both.
-Touch touch(const CutInput& in, std::uint32_t t) {
+Touch touch(const CutInput& in, const std::vector<char>& vertex_in, std::uint32_t t) {
+  const Triangle& v = in.mesh.triangles[t];
+  const auto& at = in.crossings.vertex_cell;
+  if (at[v[0]] == at[v[1]] && at[v[1]] == at[v[2]])
+    return vertex_in[v[0]] != 0 ? Touch::inside : Touch::outside;  // most triangles of a fine mesh
   bool some = false, all = true;
   for_each_cell(in.mesh, in.crossings, t, [&](LatticeId cell) {
     const bool held = in.region.holds(cell);
@@ -29,8 +33,12 @@ class Cutter {
  public:
   Cutter(const CutInput& input, Pieces pieces, Sites& sites)
       : in_(input), sites_(sites), inserted_(input.crossings.edge_crossings.size(), 0) {
+    std::vector<char> vertex_in;  // whether each vertex is in the region
+    vertex_in.reserve(in_.crossings.vertex_cell.size());
+    for (const Index3& cell : in_.crossings.vertex_cell)
+      vertex_in.push_back(in_.region.holds(pack(cell)) ? 1 : 0);
     for (std::uint32_t t = 0; t < in_.mesh.triangles.size(); ++t) {
-      const Touch how = touch(in_, t);
+      const Touch how = touch(in_, vertex_in, t);
       if (how == Touch::inside) inside_.push_back(t);
       if (how == Touch::partly) waiting_.push_back(t);
       if (how == Touch::partly && pieces == Pieces::cell_by_cell) split_.insert_or_assign(t, 1);

@@ -67,7 +67,8 @@ std::vector<Index3> changed_outside(const Triangles& difference, const Lattice& 
                                     const Oracle& oracle, const Region& region,
                                     const Winding& before) {
   constexpr int kAxis = 2;
-  const Winding change(find_crossings(incidence(difference, EdgeUse::any), lattice, oracle));
+  const Winding change(
+      find_crossings(incidence(difference, EdgeUse::any), lattice, oracle, Lines::along_z));
   std::vector<Index3> nodes;
   const auto& edges = change.edges(kAxis);
   for (std::size_t i = 0; i + 1 < edges.size(); ++i) {

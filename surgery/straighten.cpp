@@ -1,6 +1,7 @@
 // Type 2 vertices are collapsed after the surface is closed, shortest edge first [§6.1 step 3].
 #include "surgery/straighten.h"
 
+#include <algorithm>
 #include <queue>
 #include <tuple>
 
@@ -33,13 +34,17 @@ class Straightening {
     for (const auto v : type2) role_[v] = Role::type2;
     for (const auto v : type1) role_[v] = Role::type1;
     for (const auto v : type2)
-      if (role_[v] == Role::type2) push_all(v);
+      if (role_[v] == Role::type2)
+        for (const auto h : mesh_.halfedges_around_target(mesh_.halfedge(v)))
+          if (role_[mesh_.source(h)] != Role::other)
+            first_.push_back(candidate(v, mesh_.source(h)));
+    std::sort(first_.begin(), first_.end(),
+              [](const Candidate& a, const Candidate& b) { return b > a; });
   }
 
   void run(CollapseCounts& counts) {
-    while (!queue_.empty()) {
-      const Candidate next = queue_.top();
-      queue_.pop();
+    while (at_ < first_.size() || !queue_.empty()) {
+      const Candidate next = take();
       if (mesh_.is_removed(next.from) || mesh_.is_removed(next.to)) continue;
       const auto h = mesh_.halfedge(next.from, next.to);
       if (!h.is_valid()) continue;
@@ -61,8 +66,19 @@ class Straightening {
 
  private:
   void push(Mesh::Vertex_index from, Mesh::Vertex_index to) {
-    if (role_[from] != Role::type2 || role_[to] == Role::other) return;
-    queue_.push({role_[to], CGAL::squared_distance(mesh_.point(from), mesh_.point(to)), from, to});
+    if (role_[from] == Role::type2 && role_[to] != Role::other) queue_.push(candidate(from, to));
+  }
+
+  Candidate candidate(Mesh::Vertex_index from, Mesh::Vertex_index to) const {
+    return {role_[to], CGAL::squared_distance(mesh_.point(from), mesh_.point(to)), from, to};
+  }
+
+  /// The best candidate: from those known at the start, sorted once, or from those that came later.
+  Candidate take() {
+    if (queue_.empty() || (at_ < first_.size() && queue_.top() > first_[at_])) return first_[at_++];
+    const Candidate next = queue_.top();
+    queue_.pop();
+    return next;
   }
 
   void push_all(Mesh::Vertex_index v) {
@@ -97,6 +113,8 @@ class Straightening {
   const CollapseRules& rules_;
   std::vector<Role> role_;
   std::vector<Refusal> refusal_;
+  std::vector<Candidate> first_;
+  std::size_t at_ = 0;
   std::priority_queue<Candidate, std::vector<Candidate>, std::greater<>> queue_;
 };
 

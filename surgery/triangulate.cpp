@@ -78,6 +78,11 @@ std::optional<std::vector<Triangle>> triangulate_simple(const PlanarRegion& regi
                                                         const std::vector<Kernel::Point_2>& flat,
                                                         const Forbidden& forbidden) {
   const std::vector<std::uint32_t>& loop = region.loops.front();
+  if (loop.size() == 3) {  // every second one
+    if (CGAL::orientation(flat[loop[0]], flat[loop[1]], flat[loop[2]]) != CGAL::LEFT_TURN)
+      return std::nullopt;
+    return std::vector<Triangle>{{loop[0], loop[1], loop[2]}};
+  }
   auto found = least_weight(
       static_cast<std::uint32_t>(loop.size()),
       [&](std::uint32_t i, std::uint32_t j) { return forbidden(loop[i], loop[j]); },
