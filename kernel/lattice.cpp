@@ -23,6 +23,10 @@ std::vector<double> planes_between(double low, double high, double cell, double 
   const double first = std::floor((low - origin) / cell) - margin;
   const double last = std::ceil((high - origin) / cell) + margin;
   const double count = last - first + 1;
+  if (!std::isfinite(count) || !std::isfinite(origin + last * cell))
+    throw InvalidInput("a lattice of cells of " + number(cell) + " round " + kAxisName[axis] +
+                       " = " + number(low) + " to " + number(high) +
+                       " leaves the range of doubles; choose another cell, or scale the mesh");
   if (!(count <= kMaxPlanes))
     throw InvalidInput("cell size " + number(cell) + " asks for " + number(count - 1) +
                        " cells along " + kAxisName[axis] + ", at most " +
@@ -30,11 +34,13 @@ std::vector<double> planes_between(double low, double high, double cell, double 
   std::vector<double> planes(static_cast<std::size_t>(count));
   for (std::size_t i = 0; i < planes.size(); ++i)
     planes[i] = origin + (first + static_cast<double>(i)) * cell;
-  for (std::size_t i = 1; i < planes.size(); ++i)
-    if (!(planes[i - 1] < planes[i]))
-      throw InvalidInput("cell size " + number(cell) + " is below the spacing of doubles near " +
-                         kAxisName[axis] + " = " + number(low) +
-                         "; choose a larger cell, or move the mesh closer to the origin");
+  bool apart = planes.size() > 1;
+  for (std::size_t i = 1; i < planes.size(); ++i) apart &= planes[i - 1] < planes[i];
+  if (!apart)
+    throw InvalidInput(
+        "cell size " + number(cell) + " is below the spacing of doubles near " + kAxisName[axis] +
+        " = " + number(low) +
+        "; choose a larger cell, an origin near the mesh, or move the mesh to the origin");
   return planes;
 }
 

@@ -6,6 +6,8 @@
 #include <bit>
 #include <map>
 
+#include "surgery/winding.h"
+
 namespace suture {
 
 namespace {
@@ -73,6 +75,24 @@ std::vector<std::uint32_t> repeated_triangles(const Triangles& surface,
   }
   std::sort(repeated.begin(), repeated.end());
   return repeated;
+}
+
+bool sides_agree(const Triangles& single, const Triangles& repeated, const Lattice& lattice,
+                 const Oracle& oracle) {
+  constexpr int kAxis = 2;
+  auto scan = [&](const Triangles& surface) {
+    return Winding(find_crossings(incidence(surface), lattice, oracle, Lines::along_z));
+  };
+  const Winding one = scan(single), rest = scan(repeated);
+  // Along a line both windings change at crossed edges only, so the ends of these see every value.
+  for (const Winding* crossed : {&one, &rest})
+    for (const CrossedEdge& e : crossed->edges(kAxis))
+      for (const LatticeId id : {e.edge, step(e.edge, kAxis, 1)}) {
+        const Index3 node = unpack(id);
+        const int w = one.at(node);
+        if ((w >= 1) != (w + rest.at(node) >= 1)) return false;
+      }
+  return true;
 }
 
 }  // namespace suture

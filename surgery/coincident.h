@@ -1,9 +1,11 @@
-// Bodies that are exact copies of one another: their union is one of them, without re-sampling.
+// Bodies that are exact copies of one another: one of them will do, without re-sampling.
 #pragma once
 
 #include <vector>
 
+#include "kernel/lattice.h"
 #include "kernel/measures.h"
+#include "predicates/oracle.h"
 
 namespace suture {
 
@@ -12,5 +14,10 @@ namespace suture {
 /// the same number of triangles.
 std::vector<std::uint32_t> repeated_triangles(const Triangles& surface,
                                               const Components& components);
+
+/// Whether the side of every node of the lattice is the same with and without the repeated bodies,
+/// so that they may be dropped. It is not where cavities or inverted parts tell the copies apart.
+bool sides_agree(const Triangles& single, const Triangles& repeated, const Lattice& lattice,
+                 const Oracle& oracle);
 
 }  // namespace suture

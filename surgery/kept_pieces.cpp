@@ -6,6 +6,8 @@
 #include <map>
 #include <numeric>
 
+#include "kernel/errors.h"
+
 namespace suture {
 
 namespace {
@@ -146,7 +148,9 @@ std::optional<std::vector<Triangle>> KeptPieces::triangulate(
   }
   const Triangle& v = in_.mesh.triangles[triangle_];
   const auto& p = in_.mesh.positions;
-  region.normal = (p[v[1]] - p[v[0]]).cross(p[v[2]] - p[v[0]]);
+  const Point u = p[v[1]] / 2 - p[v[0]] / 2, w = p[v[2]] / 2 - p[v[0]] / 2;
+  region.normal =
+      u.stableNormalized().cross(w.stableNormalized());  // products of lengths may overflow
   auto triangles = triangulate_planar(
       region, [&](std::uint32_t a, std::uint32_t b) { return forbidden(local[a], local[b]); });
   if (triangles)
@@ -194,6 +198,7 @@ std::vector<Triangle> KeptPieces::cell_by_cell() {
     // A convex piece has at most 9 corners, and none of its diagonals can be an edge elsewhere.
     const auto triangles =
         least_area(positions, [](std::uint32_t, std::uint32_t) { return false; });
+    if (!triangles) throw InternalFailure("cut", "a piece has no triangulation");
     for (const Triangle& t : *triangles) all.push_back({loop[t[0]], loop[t[1]], loop[t[2]]});
   }
   return all;

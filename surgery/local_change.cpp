@@ -137,6 +137,38 @@ bool keeps_manifold(const Mesh& mesh, Mesh::Halfedge_index h) {
   return CGAL::Euler::does_satisfy_link_condition(mesh.edge(h), mesh);
 }
 
+namespace {
+
+/// Bounds of the nodes of one lattice row that a half-space can hold, in plain doubles with a
+/// margin: what they leave out is outside for certain, what they keep is for the oracle.
+struct HalfSpace {
+  Point normal, at;
+  double noise;  // of the normal's components
+
+  HalfSpace(const Point& a, const Point& b, const Point& c, int side)
+      : normal((b - a).cross(c - a) * side), at(a) {
+    constexpr double kRounding = 0x1p-48;  // a few bits of the products in the cross product
+    noise = kRounding * (b - a).lpNorm<1>() * (c - a).lpNorm<1>();
+  }
+  void bound(const Point& row, int axis, double extent, double& low, double& high) const {
+    const double slope = normal[axis];
+    constexpr double kTrusted = 0x1p10;  // below it the slope is mostly noise, and says nothing
+    if (!(std::abs(slope) > kTrusted * noise)) return;
+    Point across = row - at;
+    across[axis] = 0;
+    const double x = at[axis] - normal.dot(across) / slope;
+    const double margin =
+        4 * extent * (noise / std::abs(slope)) * (1 + normal.lpNorm<1>() / std::abs(slope)) +
+        0x1p-40 * extent;
+    if (slope > 0)
+      low = std::max(low, x - margin);
+    else
+      high = std::min(high, x + margin);
+  }
+};
+
+}  // namespace
+
 bool holds_node(const Point& a, const Point& b, const Point& c, const Point& d,
                 const Lattice& lattice, const Oracle& oracle) {
   const Point low = a.cwiseMin(b).cwiseMin(c).cwiseMin(d);
@@ -145,16 +177,31 @@ bool holds_node(const Point& a, const Point& b, const Point& c, const Point& d,
   if (range.empty()) return false;
   const int sign = oracle.orientation(a, b, c, d);
   if (sign == 0) return false;  // a surface that stays in one plane passes no shifted node
-  for (int i = range.first[0]; i <= range.last[0]; ++i)
-    for (int j = range.first[1]; j <= range.last[1]; ++j)
-      for (int k = range.first[2]; k <= range.last[2]; ++k) {
-        const Point node = lattice.node({i, j, k});
-        if (oracle.triangle_side(a, b, c, node) == sign &&
-            oracle.triangle_side(a, c, d, node) == sign &&
-            oracle.triangle_side(a, d, b, node) == sign &&
-            oracle.triangle_side(b, d, c, node) == sign)
-          return true;
-      }
+  auto holds = [&](const Point& node) {
+    return oracle.triangle_side(a, b, c, node) == sign &&
+           oracle.triangle_side(a, c, d, node) == sign &&
+           oracle.triangle_side(a, d, b, node) == sign &&
+           oracle.triangle_side(b, d, c, node) == sign;
+  };
+  int along = 0;  // rows run along the axis with the most nodes
+  for (int axis = 1; axis < 3; ++axis)
+    if (range.last[axis] - range.first[axis] > range.last[along] - range.first[along]) along = axis;
+  const int u = next_axis(along), v = prev_axis(along);
+  const double extent = (high - low).lpNorm<1>();
+  const std::array<HalfSpace, 4> faces = {HalfSpace(a, b, c, sign), HalfSpace(a, c, d, sign),
+                                          HalfSpace(a, d, b, sign), HalfSpace(b, d, c, sign)};
+  Index3 at;
+  for (at[u] = range.first[u]; at[u] <= range.last[u]; ++at[u])
+    for (at[v] = range.first[v]; at[v] <= range.last[v]; ++at[v]) {
+      double from = low[along], to = high[along];
+      at[along] = range.first[along];
+      for (const HalfSpace& face : faces) face.bound(lattice.node(at), along, extent, from, to);
+      if (from > to) continue;
+      const int last = std::min(range.last[along], lattice.cell_of(along, to) + 1);
+      at[along] = std::max(range.first[along], lattice.cell_of(along, from));
+      for (; at[along] <= last; ++at[along])
+        if (holds(lattice.node(at))) return true;
+    }
   return false;
 }
 

@@ -184,7 +184,7 @@ void attempt(Surface& surface, const Detected& d, const TrackerOptions& options,
     } catch (const InternalFailure& failure) {
       report.failure = failure.what();
     }
-    ++report.recuts;
+    if (pieces == Pieces::merged) ++report.recuts;
   }
   report.outcome = Outcome::refused;
 }
@@ -230,21 +230,35 @@ std::vector<std::uint32_t> drop(const std::vector<std::uint32_t>& triangles, Sur
   return std::move(adopted.vertex_map);
 }
 
-/// Remodels what is left once exact copies of bodies are gone, and commits both or neither.
-void operate_on_one_of_each(Surface& surface, const std::vector<std::uint32_t>& repeated,
+Triangles only(const std::vector<std::uint32_t>& triangles, const Triangles& surface) {
+  Triangles some{surface.positions, {}};
+  for (const std::uint32_t t : triangles) some.triangles.push_back(surface.triangles[t]);
+  return some;
+}
+
+/// Remodels what is left once exact copies of bodies are gone, and commits both or neither. \return
+/// whether it could: not where a side depends on how many copies there are
+bool operate_on_one_of_each(Surface& surface, const std::vector<std::uint32_t>& repeated,
                             const TrackerOptions& options, const Oracle& oracle,
                             SurgeryReport& report, StageClock& clock) {
   Surface single = surface;
   std::vector<std::uint32_t> map = drop(repeated, single);
+  const Lattice lattice = lattice_around(bounding_box(surface.triangles.positions),
+                                         options.cell_size, options.origin, options.depth + 3);
+  require_crossings_fit(surface.triangles, lattice);
+  const bool may_drop =
+      sides_agree(single.triangles, only(repeated, surface.triangles), lattice, oracle);
   clock.ended("coincident");
+  if (!may_drop) return false;
   detect_and_operate(single, options, oracle, report, clock);
-  if (report.outcome == Outcome::refused) return;
+  if (report.outcome == Outcome::refused) return true;
   if (report.outcome == Outcome::committed)
     for (std::uint32_t& v : map) v = v == kNone ? kNone : report.vertex_map[v];
   surface = std::move(single);
   report.vertex_map = std::move(map);
   report.coincident_triangles = repeated.size();
   report.outcome = Outcome::committed;
+  return true;
 }
 
 }  // namespace
@@ -262,10 +276,9 @@ SurgeryReport remodel(Surface& surface, const TrackerOptions& options, const Ora
   try {
     const std::vector<std::uint32_t> repeated =
         merging ? repeated_triangles(surface.triangles, bodies) : std::vector<std::uint32_t>{};
-    if (repeated.empty())
+    if (repeated.empty() ||
+        !operate_on_one_of_each(surface, repeated, options, oracle, report, clock))
       detect_and_operate(surface, options, oracle, report, clock);
-    else
-      operate_on_one_of_each(surface, repeated, options, oracle, report, clock);
   } catch (const InternalFailure& failure) {
     report.outcome = Outcome::refused;
     report.failure = failure.what();

@@ -27,6 +27,18 @@ void require_in_range(const TrackerOptions& o) {
   if (!o.origin.allFinite()) throw InvalidInput("the lattice's origin must be finite");
   if (!(o.straighten_turn >= 0 && o.straighten_turn <= 180))
     throw InvalidInput("straighten_turn must be 0 to 180 degrees");
+  const QualityOptions& q = o.quality;
+  const bool lengths = q.edge_length >= 0 && q.shortest >= 0 && q.longest > q.shortest &&
+                       std::isfinite(q.edge_length) && std::isfinite(q.longest);
+  const bool shapes = q.smallest_angle >= 0 && q.smallest_angle <= 60 && q.largest_angle >= 60 &&
+                      q.largest_angle <= 180 && q.feature_angle >= 0 && q.feature_angle <= 180 &&
+                      q.turn_bound >= 0 && q.turn_bound <= 180;
+  if (!lengths || !shapes || !(q.volume_bound >= 0) || q.passes < 0)
+    throw InvalidInput(
+        "a quality option is out of range: lengths are finite with 0 <= shortest < longest, angles "
+        "0 "
+        "to 180 degrees (smallest at most 60, largest at least), volume_bound and passes 0 or "
+        "more");
 }
 
 }  // namespace

@@ -61,6 +61,19 @@ std::optional<std::vector<Triangle>> least_weight(std::uint32_t n, const Forbidd
   return triangles;
 }
 
+/// Differences to the first point in units of a power of two near their extent: exact, and weights
+/// of them neither overflow nor vanish at any scale.
+std::vector<Point> normalised(std::span<const Point> points) {
+  double extent = 0;
+  for (const Point& p : points)
+    extent = std::max(extent, (p / 4 - points.front() / 4).cwiseAbs().maxCoeff());
+  const double unit =
+      extent > 0 ? std::ldexp(1.0, std::clamp(-std::ilogb(extent), -1000, 1000)) : 1;
+  std::vector<Point> result;
+  for (const Point& p : points) result.push_back((p / 4 - points.front() / 4) * unit);
+  return result;
+}
+
 /// Corners seen along the normal's longest axis, so that the region is on the left of its boundary.
 std::vector<Kernel::Point_2> flattened(const PlanarRegion& region) {
   Eigen::Index drop = 0;
@@ -73,24 +86,26 @@ std::vector<Kernel::Point_2> flattened(const PlanarRegion& region) {
   return flat;
 }
 
-/// A single loop without repeated corners: least sum of squared edges, all triangles turned left.
+/// A single loop without repeated corners: least sum of squared edges, no triangle turned right.
+/// Corners that share a line or a place, as a mesh aligned with the lattice has them, give some
+/// without area.
 std::optional<std::vector<Triangle>> triangulate_simple(const PlanarRegion& region,
                                                         const std::vector<Kernel::Point_2>& flat,
                                                         const Forbidden& forbidden) {
   const std::vector<std::uint32_t>& loop = region.loops.front();
   if (loop.size() == 3) {  // every second one
-    if (CGAL::orientation(flat[loop[0]], flat[loop[1]], flat[loop[2]]) != CGAL::LEFT_TURN)
+    if (CGAL::orientation(flat[loop[0]], flat[loop[1]], flat[loop[2]]) == CGAL::RIGHT_TURN)
       return std::nullopt;
     return std::vector<Triangle>{{loop[0], loop[1], loop[2]}};
   }
+  const std::vector<Point> corners = normalised(region.corners);
   auto found = least_weight(
       static_cast<std::uint32_t>(loop.size()),
       [&](std::uint32_t i, std::uint32_t j) { return forbidden(loop[i], loop[j]); },
       [&](std::uint32_t i, std::uint32_t j, std::uint32_t k) {
-        if (CGAL::orientation(flat[loop[i]], flat[loop[j]], flat[loop[k]]) != CGAL::LEFT_TURN)
+        if (CGAL::orientation(flat[loop[i]], flat[loop[j]], flat[loop[k]]) == CGAL::RIGHT_TURN)
           return kImpossible;
-        const Point &a = region.corners[loop[i]], &b = region.corners[loop[j]],
-                    &c = region.corners[loop[k]];
+        const Point &a = corners[loop[i]], &b = corners[loop[j]], &c = corners[loop[k]];
         return (a - b).squaredNorm() + (b - c).squaredNorm() + (c - a).squaredNorm();
       });
   if (found)
@@ -162,9 +177,10 @@ std::optional<std::vector<Triangle>> triangulate_general(const PlanarRegion& reg
 
 std::optional<std::vector<Triangle>> least_area(std::span<const Point> loop,
                                                 const Forbidden& forbidden) {
-  return least_weight(static_cast<std::uint32_t>(loop.size()), forbidden,
+  const std::vector<Point> p = normalised(loop);
+  return least_weight(static_cast<std::uint32_t>(p.size()), forbidden,
                       [&](std::uint32_t i, std::uint32_t j, std::uint32_t k) {
-                        return (loop[j] - loop[i]).cross(loop[k] - loop[i]).norm();
+                        return (p[j] - p[i]).cross(p[k] - p[i]).norm();
                       });
 }
 
@@ -172,10 +188,15 @@ std::optional<std::vector<Triangle>> triangulate_planar(const PlanarRegion& regi
                                                         const Forbidden& forbidden) {
   const std::vector<Kernel::Point_2> flat = flattened(region);
   const std::size_t corners = region.corners.size();
-  if (region.loops.size() == 1 && region.loops.front().size() == corners &&
-      corners <= kMostDynamicCorners)
-    return triangulate_simple(region, flat, forbidden);
-  return triangulate_general(region, flat, forbidden);
+  const bool simple = region.loops.size() == 1 && region.loops.front().size() == corners;
+  if (simple && corners <= kMostDynamicCorners) return triangulate_simple(region, flat, forbidden);
+  auto found = triangulate_general(region, flat, forbidden);
+  // A constraint that runs through a corner is beyond Delaunay; slow programming is better than a
+  // split.
+  constexpr std::size_t kMostSlowCorners = 400;
+  if (!found && simple && corners <= kMostSlowCorners)
+    found = triangulate_simple(region, flat, forbidden);
+  return found;
 }
 
 }  // namespace suture

@@ -23,7 +23,14 @@ bool survive(std::uint64_t seed) {
   bool operated = false;
   for (int round = 0; round < 3; ++round) {
     const Triangles before = tracker.surface();
-    const SurgeryReport report = tracker.remodel();
+    SurgeryReport report;
+    try {
+      report = tracker.remodel();
+    } catch (const std::exception& error) {
+      CAPTURE(seed, round, error.what(), saved(before, seed));
+      CHECK(false);
+      return operated;
+    }
     const Audit result = tracker.surface().triangles.empty() ? Audit{} : audit(tracker.surface());
     const bool good = report.outcome != Outcome::refused && result.closed_manifold();
     if (!good) {

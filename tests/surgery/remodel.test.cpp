@@ -187,3 +187,55 @@ TEST_CASE("surgery takes self-intersections away") {
   REQUIRE(self_intersections(two).pairs.size() > 100);
   CHECK(self_intersections(remodelled(two, {.cell_size = 0.1}).surface).pairs.empty());
 }
+
+TEST_CASE("an exact copy is dropped, unless a cavity tells the copies apart") {
+  const Triangles solid = ball(1, {0.01, 0.02, 0.03});
+  Triangles cavity = ball(0.5, {0.01, 0.02, 0.03});
+  for (Triangle& t : cavity.triangles) std::swap(t[0], t[1]);
+  const Triangles hollow = together(solid, cavity);
+  const Result twice = remodelled(together(solid, solid), {.cell_size = 0.1});
+  CHECK(twice.report.coincident_triangles == solid.triangles.size());
+  CHECK(twice.surface == solid);
+  CHECK(remodelled(together(hollow, hollow), {.cell_size = 0.1}).report.components_after == 2);
+
+  const Result filled = remodelled(together(solid, hollow), {.cell_size = 0.1});
+  CHECK(filled.report.components_after == 1);
+  CHECK(volume(filled.surface) == Approx(volume(solid)).epsilon(0.02));
+
+  const Result thicker = remodelled(
+      together(hollow, together(ball(1.3, {0.01, 0.02, 0.03}), cavity)), {.cell_size = 0.1});
+  CHECK(thicker.report.components_after == 2);  // both have the cavity, and so has their union
+}
+
+TEST_CASE(
+    "the same bodies merge alike at every scale that squares and cubes of lengths would leave") {
+  const Triangles two =
+      together(ball(1, {0.01, 0.02, 0.03}, 6), ball(0.8, {1.113, 0.207, 0.109}, 6));
+  for (const Collapse collapse : {Collapse::straighten, Collapse::keep}) {
+    const Result one = remodelled(two, {.cell_size = 0.125, .collapse = collapse});
+    for (const int power : {-200, -60, 60, 150}) {
+      const Result other =
+          remodelled(scaled(two, std::ldexp(1.0, power)),
+                     {.cell_size = std::ldexp(0.125, power), .collapse = collapse});
+      CAPTURE(power);
+      CHECK(other.surface == scaled(one.surface, std::ldexp(1.0, power)));
+    }
+    for (const int power : {-600, 300, 500})
+      CHECK(remodelled(scaled(two, std::ldexp(1.0, power)),
+                       {.cell_size = std::ldexp(0.125, power), .collapse = Collapse::keep})
+                .report.components_after == 1);
+  }
+}
+
+TEST_CASE("long triangles across many cells are cut in time that follows their crossings") {
+  const Triangles spike{{{0, 0, 0}, {0, 1, 0}, {0, 0.5, 1}, {100, 0.5, 0.5}},
+                        {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}}};
+  const Triangles slanted{
+      {{0.013, 0.01, 0.02}, {0.013, 1.013, 0.017}, {0.113, 0.47, 1.03}, {100, 50.51, 33.52}},
+      {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}}};
+  for (const Triangles& body : {spike, slanted}) {
+    const Result r = remodelled(body, {.cell_size = 0.2});
+    CHECK(r.report.outcome == Outcome::committed);
+    CHECK(r.surface.triangles.size() < 2000);
+  }
+}
