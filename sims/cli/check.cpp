@@ -73,9 +73,9 @@ void print_measures(const nlohmann::json& m, const Audit& a) {
               (capped ? "more than " : "") + whole("self_intersecting_pairs"));
     print_row("triangles without area", whole("triangles_without_area"));
   } else {
-    print_row("self-intersecting pairs",
-              a.duplicate_triangles != 0 ? "not counted: duplicate triangles"
-                                         : "not counted: triangles that repeat an index");
+    print_row("self-intersecting pairs", a.duplicate_triangles != 0
+                                             ? "not counted: duplicate triangles"
+                                             : "not counted: triangles that repeat an index");
   }
   print_row("components", whole("components"));
   print_row("Euler characteristic", whole("euler"));
