@@ -24,6 +24,34 @@ InvalidInput refusal(const std::filesystem::path& path, const std::string& what,
   return InvalidInput(path.string() + ": " + what + "; " + advice);
 }
 
+/// Writes straight to `file`; a refusal speaks of `name`.
+void put(const std::filesystem::path& file, const std::filesystem::path& name,
+         std::string_view bytes) {
+  File open(std::fopen(file.c_str(), "wb"));
+  if (!open)
+    throw refusal(name, std::string("cannot be written: ") + std::strerror(errno),
+                  "check that its folder exists and can be written to");
+  bool good = std::fwrite(bytes.data(), 1, bytes.size(), open.get()) == bytes.size();
+  good &= std::fflush(open.get()) == 0;
+  const int reason = errno;
+  good &= std::fclose(open.release()) == 0;
+  if (!good)
+    throw refusal(name, std::string("could not be written whole: ") + std::strerror(reason),
+                  "check the space on the disk");
+}
+
+/// The file that `path` leads to by symbolic links, whether it is there or not.
+std::filesystem::path behind_links(std::filesystem::path path) {
+  constexpr int most = 40;  // as the system allows
+  std::error_code error;
+  for (int i = 0; i < most && std::filesystem::is_symlink(path, error); ++i) {
+    const auto next = std::filesystem::read_symlink(path, error);
+    if (error) break;
+    path = path.parent_path() / next;  // an absolute `next` replaces it all
+  }
+  return path;
+}
+
 }  // namespace
 
 std::string read_file(const std::filesystem::path& path) {
@@ -49,29 +77,27 @@ std::string read_file(const std::filesystem::path& path) {
 }
 
 void write_file(const std::filesystem::path& path, std::string_view bytes) {
-  const std::string advice = "check that its folder exists and can be written to";
+  namespace fs = std::filesystem;
   if (!path.has_filename()) throw refusal(path, "this is not the name of a file", "name a file");
   std::error_code error;
-  if (std::filesystem::is_directory(path, error))
-    throw refusal(path, "this is a folder", "name a file in it");
-  std::filesystem::path temporary = path;
+  const fs::file_status status = fs::status(path, error);
+  if (fs::is_directory(status)) throw refusal(path, "this is a folder", "name a file in it");
+  if (fs::is_other(status)) return put(path, path, bytes);
+  const fs::path target = behind_links(path);
+  fs::path temporary = target;
   temporary += ".part" + std::to_string(::getpid());
-  File file(std::fopen(temporary.c_str(), "wb"));
-  if (!file) throw refusal(path, std::string("cannot be written: ") + std::strerror(errno), advice);
-  bool good = std::fwrite(bytes.data(), 1, bytes.size(), file.get()) == bytes.size();
-  good &= std::fflush(file.get()) == 0;
-  const int reason = errno;
-  good &= std::fclose(file.release()) == 0;
-  if (!good) {
-    std::filesystem::remove(temporary, error);
-    throw refusal(path, std::string("could not be written whole: ") + std::strerror(reason),
-                  "check the space on the disk");
+  try {
+    put(temporary, path, bytes);
+  } catch (const InvalidInput&) {
+    fs::remove(temporary, error);
+    throw;
   }
-  std::filesystem::rename(temporary, path, error);
+  fs::rename(temporary, target, error);
   if (error) {
     const std::string why = error.message();
-    std::filesystem::remove(temporary, error);
-    throw refusal(path, "cannot be written: " + why, advice);
+    fs::remove(temporary, error);
+    throw refusal(path, "cannot be written: " + why,
+                  "check that its folder exists and can be written to");
   }
 }
 

@@ -12,6 +12,7 @@ std::string read_file(const std::filesystem::path& path);
 
 /// Puts `bytes` at `path` whole or not at all: they go to a temporary name in the same folder,
 /// which is then renamed; on failure the temporary file is removed and what was at `path` stays.
+/// A symbolic link stays and what it names is replaced; a device or pipe is written to as it is.
 /// \throw InvalidInput if that cannot be done
 void write_file(const std::filesystem::path& path, std::string_view bytes);
 

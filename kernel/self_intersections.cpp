@@ -18,6 +18,9 @@ using Box = CGAL::Box_intersection_d::Box_with_info_d<double, 3, std::uint32_t>;
 constexpr std::ptrdiff_t kCutoff =
     2000;  // boxes below which CGAL compares all; its own users' value
 
+/// Thrown by the callback, as CGAL's search has no other way to end early.
+struct Enough {};
+
 struct Face {
   Triangle index;
   std::array<Vertex, 3> at;
@@ -65,7 +68,8 @@ bool meet(const Face& a, const Face& b) {
 
 }  // namespace
 
-SelfIntersections self_intersections(const Triangles& surface) {
+SelfIntersections self_intersections(const Triangles& surface,
+                                     const SelfIntersectionOptions& options) {
   SelfIntersections result;
   std::vector<Face> faces(surface.triangles.size());
   std::vector<Box> boxes;
@@ -83,10 +87,15 @@ SelfIntersections self_intersections(const Triangles& surface) {
       boxes.emplace_back(face.triangle().bbox(), static_cast<std::uint32_t>(i));
   }
   const auto report = [&](const Box& a, const Box& b) {
-    if (meet(faces[a.info()], faces[b.info()]))
-      result.pairs.push_back(std::minmax(a.info(), b.info()));
+    if (!meet(faces[a.info()], faces[b.info()])) return;
+    if (result.pairs.size() >= options.most) throw Enough{};
+    result.pairs.push_back(std::minmax(a.info(), b.info()));
   };
-  CGAL::box_self_intersection_d(boxes.begin(), boxes.end(), report, kCutoff);
+  try {
+    CGAL::box_self_intersection_d(boxes.begin(), boxes.end(), report, kCutoff);
+  } catch (const Enough&) {
+    result.capped = true;
+  }
   std::sort(result.pairs.begin(), result.pairs.end());
   return result;
 }

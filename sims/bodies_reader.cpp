@@ -13,6 +13,7 @@
 #include "kernel/random.h"
 #include "kernel/repair.h"
 #include "kernel/shape_catalogue.h"
+#include "kernel/shapes.h"
 #include "kernel/transform.h"
 
 namespace suture {
@@ -138,6 +139,13 @@ void read_body(TomlTable& body, const fs::path& folder, Bodies& bodies) {
   const Point velocity = keys.vector("velocity", Point::Zero());
   const std::vector<Point> places = scattered(keys);
   keys.done();
+  const auto count = static_cast<double>(source.surface.triangles.size());
+  const double total = count * static_cast<double>(places.size()) +
+                       static_cast<double>(bodies.surface.triangles.size());
+  if (!(total <= kMostTriangles))
+    keys.refuse("copies", fmt::format("is {}, of {} triangles each: {} with the bodies before, "
+                                      "more than {}; give fewer copies, or longer edges",
+                                      places.size(), count, total, kMostTriangles));
   std::vector<Triangles> all = {std::move(bodies.surface)};
   for (const Point& place : places) all.push_back(translated(source.surface, place));
   bodies.surface = merged(all);

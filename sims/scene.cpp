@@ -4,10 +4,14 @@
 #include <fmt/format.h>
 #include <Eigen/Geometry>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include "kernel/errors.h"
+#include "kernel/measures.h"
+#include "kernel/shapes.h"
+#include "kernel/transform.h"
 #include "sims/bodies_reader.h"
 #include "sims/option_names.h"
 
@@ -43,6 +47,26 @@ QualityOptions read_quality(Keys keys) {
   q.subdivision = keys.choice("subdivision", kSubdivisionNames, q.subdivision);
   keys.done();
   return q;
+}
+
+/// Edges are subdivided until they are short enough, however many triangles that makes.
+void require_affordable(const Scene& scene, const TomlTable& toml) {
+  const QualityOptions& q = scene.tracker.quality;
+  if (scene.time.improve_every == 0 || q.passes == 0) return;
+  constexpr double usual = 1.5;  // what `longest` is if edges are to be about edge_length
+  const bool own = q.edge_length > 0;
+  const double edge = (own ? q.edge_length : scene.tracker.cell_size) * q.longest / usual;
+  // In units of the edge, whose square could be beyond the doubles; 4/√3 equilateral triangles
+  // with edges of length 1 have an area of 1.
+  const double factor =
+      std::clamp(1 / edge, std::numeric_limits<double>::min(), std::numeric_limits<double>::max());
+  const double triangles = 4 / std::sqrt(3.0) * area(scaled(scene.surface, factor));
+  if (triangles <= kMostTriangles) return;
+  table(toml, own ? "quality" : "tracker")
+      .keys.refuse(own ? "edge_length" : "cell_size",
+                   fmt::format("asks for edges of about {}, so for about {:.2g} triangles, more "
+                               "than {}; give a larger one",
+                               edge, triangles, kMostTriangles));
 }
 
 TrackerOptions read_tracker(Keys keys) {
@@ -194,6 +218,7 @@ Scene read_scene(const std::filesystem::path& file) {
   Bodies bodies = read_bodies(toml, file.parent_path());
   scene.surface = std::move(bodies.surface);
   scene.notes = std::move(bodies.notes);
+  require_affordable(scene, toml);
   scene.phases = read_phases(toml, bodies.velocities);
   return scene;
 }

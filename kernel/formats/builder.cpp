@@ -23,7 +23,7 @@ void SurfaceBuilder::add_face(std::span<const std::int64_t> corners, std::size_t
 
 std::string SurfaceBuilder::place(const char* element, std::size_t i, std::size_t line) const {
   return file_ + (line > 0 ? ":" + std::to_string(line) : "") + ": " + element + " " +
-         std::to_string(i);
+         std::to_string(static_cast<std::int64_t>(i) + counts_from_);
 }
 
 void SurfaceBuilder::check_positions() const {
@@ -54,9 +54,9 @@ void SurfaceBuilder::check_corners() const {
   std::size_t face = 0;
   while (face_end_[face] <= first) ++face;
   throw InvalidInput(place("face", face, face_line_.empty() ? 0 : face_line_[face]) +
-                     " has the vertex index " + std::to_string(corners_[first]) +
-                     ", counted from 0, but there are " + std::to_string(positions()) +
-                     " vertices (" + std::to_string(count) +
+                     " has the vertex index " + std::to_string(corners_[first] + counts_from_) +
+                     ", counted from " + std::to_string(counts_from_) + ", but there are " +
+                     std::to_string(positions()) + " vertices (" + std::to_string(count) +
                      " such in all); the file is incomplete or damaged: export it again");
 }
 

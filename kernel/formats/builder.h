@@ -13,7 +13,9 @@ namespace suture {
 /// in a binary file.
 class SurfaceBuilder {
  public:
-  explicit SurfaceBuilder(std::string file) : file_(std::move(file)) {}
+  /// `counts_from` is the number of the format's first vertex: messages count as the file does.
+  explicit SurfaceBuilder(std::string file, std::int64_t counts_from = 0)
+      : file_(std::move(file)), counts_from_(counts_from) {}
 
   void add_position(const Point& p, std::size_t line);
   /// Vertex indices from 0. \throw InvalidInput if there are fewer than three
@@ -32,6 +34,7 @@ class SurfaceBuilder {
   std::string place(const char* element, std::size_t i, std::size_t line) const;
 
   std::string file_;
+  std::int64_t counts_from_;
   Triangles surface_;
   std::vector<std::int64_t> corners_;
   std::vector<std::size_t> face_end_;

@@ -35,7 +35,7 @@ std::int64_t corner(std::string_view token, const TextLines& text, std::size_t p
 
 Triangles parse_obj(std::string_view bytes, const std::string& file) {
   TextLines text(bytes, file, {.comment = '#', .continued = true});
-  SurfaceBuilder builder(file);
+  SurfaceBuilder builder(file, 1);
   std::vector<std::int64_t> face;
   while (text.next_line()) {
     const std::string_view keyword = text.token();

@@ -13,6 +13,8 @@
 namespace suture {
 namespace {
 
+constexpr std::size_t kMostPairs = 1'000'000;  // beyond it nobody needs the number itself
+
 struct Settings {
   Inputs inputs;
   bool json = false;
@@ -27,14 +29,26 @@ struct Verdict {
 
 bool measurable(const Audit& a) { return a.finite() && a.indices_out_of_range == 0; }
 
+/// Where triangles repeat, pairs say nothing new, and there can be very many of them.
+bool countable(const Audit& a) { return a.duplicate_triangles == 0 && a.degenerate_triangles == 0; }
+
+void count_pairs(const Triangles& surface, Verdict& verdict) {
+  nlohmann::json& m = verdict.measures;
+  m["self_intersecting_pairs"] = nullptr;
+  m["triangles_without_area"] = nullptr;
+  if (!countable(verdict.audit)) return;
+  const SelfIntersections crossing = self_intersections(surface, {.most = kMostPairs});
+  m["self_intersecting_pairs"] = crossing.pairs.size();
+  m["self_intersecting_pairs_capped"] = crossing.capped;
+  m["triangles_without_area"] = crossing.without_area;
+}
+
 Verdict judge(const std::string& file, const Inputs& inputs) {
   const Triangles surface = read_input(file, inputs);
   Verdict verdict{file, audit(surface), nullptr};
   if (!measurable(verdict.audit)) return verdict;
   verdict.measures = measured(surface);
-  const SelfIntersections crossing = self_intersections(surface);
-  verdict.measures["self_intersecting_pairs"] = crossing.pairs.size();
-  verdict.measures["triangles_without_area"] = crossing.without_area;
+  count_pairs(surface, verdict);
   if (verdict.audit.closed_manifold()) {
     const auto parts = verdict.measures["components"].get<std::int64_t>();
     verdict.measures["genus"] = parts - verdict.measures["euler"].get<std::int64_t>() / 2;
@@ -53,8 +67,16 @@ void print_row(const char* name, const std::string& value) {
 void print_measures(const nlohmann::json& m, const Audit& a) {
   const auto real = [&m](const char* key) { return fmt::format("{:.9g}", m[key].get<double>()); };
   const auto whole = [&m](const char* key) { return std::to_string(m[key].get<std::int64_t>()); };
-  print_row("self-intersecting pairs", whole("self_intersecting_pairs"));
-  print_row("triangles without area", whole("triangles_without_area"));
+  if (countable(a)) {
+    const bool capped = m["self_intersecting_pairs_capped"].get<bool>();
+    print_row("self-intersecting pairs",
+              (capped ? "more than " : "") + whole("self_intersecting_pairs"));
+    print_row("triangles without area", whole("triangles_without_area"));
+  } else {
+    print_row("self-intersecting pairs", a.duplicate_triangles != 0
+                                             ? "not counted: duplicate triangles"
+                                             : "not counted: triangles that repeat an index");
+  }
   print_row("components", whole("components"));
   print_row("Euler characteristic", whole("euler"));
   print_row("genus", m.contains("genus") ? whole("genus") : "has none: not a closed manifold");

@@ -13,6 +13,17 @@
 
 namespace suture {
 
+namespace {
+
+std::string extension_of(const std::filesystem::path& file) {
+  std::string extension = file.extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return extension;
+}
+
+}  // namespace
+
 Triangles read_input(const std::string& file, const Inputs& inputs) {
   Triangles surface = read_triangles(file);
   if (!inputs.mend) return surface;
@@ -40,13 +51,26 @@ void require_folder_of(const std::filesystem::path& file) {
 }
 
 void require_writable_mesh(const std::filesystem::path& file) {
-  std::string extension = file.extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  const std::string extension = extension_of(file);
   for (const char* known : {".ply", ".obj", ".off", ".stl"})
     if (extension == known) return require_folder_of(file);
   throw InvalidInput(file.string() + ": a mesh cannot be written with the extension \"" +
                      extension + "\"; use .ply, .obj, .off or .stl");
+}
+
+void require_writable_picture(const std::filesystem::path& file) {
+  if (extension_of(file) != ".png")
+    throw InvalidInput(file.string() + ": pictures are PNG; give a name that ends in .png");
+  require_folder_of(file);
+}
+
+bool same_file(const std::filesystem::path& a, const std::filesystem::path& b) {
+  std::error_code error;
+  if (std::filesystem::equivalent(a, b, error)) return true;
+  const auto first = std::filesystem::weakly_canonical(std::filesystem::absolute(a), error);
+  if (error) return false;
+  const auto second = std::filesystem::weakly_canonical(std::filesystem::absolute(b), error);
+  return !error && first == second;
 }
 
 std::filesystem::path reproducer_beside(const std::filesystem::path& out) {

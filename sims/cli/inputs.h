@@ -25,6 +25,12 @@ Triangles read_union(const Inputs& inputs);
 /// \throw InvalidInput unless the extension is one that can be written and the folder is there
 void require_writable_mesh(const std::filesystem::path& file);
 
+/// \throw InvalidInput unless it ends in .png and the folder is there
+void require_writable_picture(const std::filesystem::path& file);
+
+/// Whether two names lead to the same file, there or yet to be written.
+bool same_file(const std::filesystem::path& a, const std::filesystem::path& b);
+
 /// \throw InvalidInput unless the folder of `file` is there
 void require_folder_of(const std::filesystem::path& file);
 

@@ -1,6 +1,9 @@
 // The program: its subcommands, and what becomes of errors.
 #include <fmt/format.h>
 
+#include <cstdio>
+#include <filesystem>
+
 #include "kernel/errors.h"
 #include "sims/cli/commands.h"
 #include "sims/version.h"
@@ -12,9 +15,7 @@ int report(const std::exception& error, int exit) {
   return exit;
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
+int run_program(int argc, char** argv) {
   using namespace suture;
   int exit = kDone;
   try {
@@ -39,7 +40,20 @@ int main(int argc, char** argv) {
   } catch (const std::bad_alloc&) {
     fmt::print(stderr, "suture: there is not enough memory for this; give larger cells\n");
     return kBadInput;
+  } catch (const std::filesystem::filesystem_error& error) {
+    fmt::print(stderr, "suture: {}: {}; check the name and its permissions\n",
+               error.path1().string(), error.code().message());
+    return kBadInput;
   } catch (const std::exception& error) {
-    return report(error, kFailure);
+    return std::ferror(stdout) != 0 ? exit : report(error, kFailure);  // main tells of stdout
   }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  const int exit = run_program(argc, argv);
+  if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return exit;
+  fmt::print(stderr, "suture: standard output could not be written; check the space there\n");
+  return exit == suture::kFailure ? exit : suture::kBadInput;
 }

@@ -1,6 +1,8 @@
 // suture resolve: one remodel of the union of static meshes.
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include <nlohmann/json.hpp>
 
 #include "kernel/audit.h"
@@ -34,10 +36,17 @@ struct Settings {
 template <class T, std::size_t N>
 void add_choice(CLI::App& command, const std::string& flag, T& value,
                 const std::array<Named<T>, N>& names, const std::string& help) {
-  std::vector<std::pair<std::string, T>> pairs;
-  for (const Named<T>& named : names) pairs.emplace_back(named.name, named.value);
-  command.add_option(flag, value, help)
-      ->transform(CLI::CheckedTransformer(pairs, CLI::ignore_case).description("WORD"));
+  std::vector<std::string> words;
+  for (const Named<T>& named : names) words.emplace_back(named.name);
+  const auto choose = [&value, &names](const std::string& word) {
+    for (const Named<T>& named : names)
+      if (word == named.name) value = named.value;
+  };
+  const auto allowed = [words](const std::string& word) {
+    if (std::find(words.begin(), words.end(), word) != words.end()) return std::string();
+    return "\"" + word + "\" is not known; give one of " + joined(words);
+  };
+  command.add_option_function<std::string>(flag, choose, help)->check(allowed)->type_name("WORD");
 }
 
 double checked_cell_size(const Settings& s, const CLI::App& command, const Triangles& surface) {
@@ -61,10 +70,28 @@ double checked_cell_size(const Settings& s, const CLI::App& command, const Trian
   return size;
 }
 
+/// The mesh may take an input's place; nothing else may take another file's.
+void check_paths(const Settings& s) {
+  const auto apart = [](const fs::path& a, const std::string& option, const fs::path& b,
+                        const std::string& other) {
+    if (!a.empty() && !b.empty() && same_file(a, b))
+      throw InvalidInput(fmt::format("{} is {}, which is also {}; give it a name of its own",
+                                     option, a.string(), other));
+  };
+  apart(s.report, "--report", s.out, "the mesh to write");
+  apart(s.picture, "--picture", s.out, "the mesh to write");
+  apart(s.picture, "--picture", s.report, "the report");
+  for (const std::string& input : s.inputs.files) {
+    apart(s.report, "--report", input, "an input");
+    apart(s.picture, "--picture", input, "an input");
+  }
+}
+
 void check_options(const Settings& s) {
   require_writable_mesh(s.out);
   if (!s.report.empty()) require_folder_of(s.report);
-  if (!s.picture.empty()) require_folder_of(s.picture);
+  if (!s.picture.empty()) require_writable_picture(s.picture);
+  check_paths(s);
   if (s.tracker.depth < 0)
     throw InvalidInput(fmt::format("--depth is {}; give 0 or more whole cells", s.tracker.depth));
 }

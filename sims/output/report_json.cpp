@@ -67,7 +67,8 @@ json to_json(const QualityOptions& q) {
 
 json to_json(const SurgeryReport& r) {
   json seconds = json::object();
-  for (const auto& [stage, time] : r.seconds) seconds[stage] = time;
+  for (const auto& [stage, time] : r.seconds)  // a stage may have run more than once
+    seconds[stage] = seconds.value(stage, 0.0) + time;
   return {{"outcome", name_of(r.outcome, kOutcomeNames)},
           {"failure", r.failure},
           {"reproducer", r.reproducer},
@@ -82,6 +83,7 @@ json to_json(const SurgeryReport& r) {
           {"triangles_removed", r.triangles_removed},
           {"triangles_added", r.triangles_added},
           {"loops", r.loops},
+          {"coincident_triangles", r.coincident_triangles},
           {"split_triangles", r.split_triangles},
           {"regrowths", r.regrowths},
           {"recuts", r.recuts},

@@ -76,6 +76,24 @@ TEST_CASE("writing leaves nothing else in the folder, and replaces what was ther
   CHECK(std::distance(std::filesystem::directory_iterator(folder.path()), {}) == 1);
 }
 
+TEST_CASE("writing goes through symbolic links, and straight to a device") {
+  const TemporaryFolder folder;
+  write_file(folder / "real", "old");
+  std::filesystem::create_symlink("real", folder / "link");
+  std::filesystem::create_symlink("not-yet", folder / "dangling");
+  std::filesystem::create_symlink("/dev/null", folder / "null");
+  write_file(folder / "link", "new");
+  write_file(folder / "dangling", "made");
+  write_file(folder / "null", "gone");
+  CHECK(read_file(folder / "real") == "new");
+  CHECK(read_file(folder / "not-yet") == "made");
+  for (const char* link : {"link", "dangling", "null"})
+    CHECK(std::filesystem::is_symlink(folder / link));
+  CHECK(std::filesystem::is_character_file("/dev/null"));
+  CHECK_THROWS_AS(write_file("/dev/full", "x"), InvalidInput);
+  CHECK(std::filesystem::is_character_file("/dev/full"));
+}
+
 TEST_CASE("what cannot be written is refused and leaves no file behind") {
   const TemporaryFolder folder;
   CHECK_THROWS_WITH(write_triangles(folder / "none" / "a.obj", cube(0, 1)),
@@ -127,13 +145,14 @@ TEST_CASE("OBJ: faults are refused with their line") {
   };
   refused("v 0 0 0\nv 1 x 0\n", "a.obj:2: y of a vertex is not a number: 'x'");
   refused("v 0 0 0\nv 1\n", "a.obj:2: y of a vertex is missing");
-  refused("v 0 0 0\nv 1 0 0\nv 0 nan 0\nv inf 0 0\nf 1 2 3\n", "a.obj:3: vertex 2");
+  refused("v 0 0 0\nv 1 0 0\nv 0 nan 0\nv inf 0 0\nf 1 2 3\n", "a.obj:3: vertex 3");
   refused("v 0 0 0\nv 1 0 0\nv 0 1e999 0\nf 1 2 3\n", "not finite (1 such");
-  refused("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nf 1 2 4\nf 7 8 9\n", "a.obj:5: face 1");
+  refused("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nf 1 2 4\nf 7 8 9\n",
+          "a.obj:5: face 2 has the vertex index 4, counted from 1,");
   refused("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nf 1 2 4\nf 7 8 9\n", "4 such in all");
   refused("v 0 0 0\nv 1 0 0\nv 0 1 0\nf -1 -2 -4\n", "a.obj:4: a face has the vertex index -4");
   refused("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 0 1 2\n", "a.obj:4");
-  refused("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2\n", "a.obj:4: face 0 has 2 vertices");
+  refused("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2\n", "a.obj:4: face 1 has 2 vertices");
   refused("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3.5\n", "'3.5'");
   refused("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 99999999999999999999 1 2\n", "a.obj:4");
   refused(kObj + "hello\n", "a.obj:9: 'hello' is not a keyword");

@@ -54,6 +54,19 @@ TEST_CASE("duplicate triangles intersect; those without area are counted apart")
   CHECK(found.without_area == 1);
 }
 
+TEST_CASE("the search ends where more pairs are found than were asked for") {
+  Triangles many = cube(0, 1);
+  for (int copy = 1; copy < 40; ++copy) many = joined(many, cube(0, 1));
+  const SelfIntersections some = self_intersections(many, {.most = 100});
+  CHECK(some.pairs.size() == 100);
+  CHECK(some.capped);
+  const Triangles two = joined(cube(0, 1), cube(0.5, 2));
+  const SelfIntersections all = self_intersections(two);
+  CHECK_FALSE(all.capped);
+  CHECK_FALSE(self_intersections(two, {.most = all.pairs.size()}).capped);
+  CHECK(self_intersections(two, {.most = all.pairs.size() - 1}).capped);
+}
+
 TEST_CASE("the pairs are those of Polygon_mesh_processing on crumpled surfaces") {
   for (std::uint64_t seed = 1; seed <= 5; ++seed) {
     Dice dice(seed);

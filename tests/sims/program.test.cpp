@@ -58,6 +58,7 @@ TEST_CASE("resolve makes one closed surface of two overlapping balls") {
   const json report = json::parse(contents(folder / "r.json"));
   CHECK(report["outcome"] == "committed");
   CHECK(report["components_after"] == 1);
+  CHECK(report["coincident_triangles"] == 0);
   CHECK(report["before"]["components"] == 2);
   CHECK(report["options"]["cell_size"].get<double>() == Approx(3.1 / 24));
   CHECK(contents(folder / "p.png").substr(1, 3) == "PNG");
@@ -97,6 +98,8 @@ TEST_CASE("resolve refuses bad cells and bad options with exit code 2 and writes
                           "--cells nan",
                           "--cell 0.1 --cells 10",
                           "--cell 0.1 --events maybe",
+                          "--cell 0.1 --events 1",
+                          "--cell 0.1 --picture picture.jpg",
                           "--cell 0.1 --collapse all",
                           "--cell 0.1 --arithmetic float",
                           "--cell 0.1 --depth -1",
@@ -149,6 +152,62 @@ TEST_CASE("an output that cannot be written is refused before anything is comput
     INFO(said.text);
     CHECK(said.exit == 2);
     CHECK(folder.files() == 2);
+  }
+}
+
+TEST_CASE("a choice that is unknown is refused with the names that are known") {
+  const Said said = suture_program("resolve a.ply -o b.ply --cells 9 --events foo");
+  CHECK(said.exit == 2);
+  CHECK_THAT(said.text, Contains("merge, split, both, none") && !Contains("FAILED"));
+}
+
+TEST_CASE("resolve refuses to write two files to one place, or a report over an input") {
+  const Folder folder;
+  write_balls(folder);
+  const std::string before = contents(folder / "a.ply");
+  std::filesystem::create_symlink("a.ply", folder / "link.png");
+  for (const std::string& bad :
+       {"--report " + folder.name("a.ply"), "--report " + folder.name("./out.ply"),
+        "--picture " + folder.name("link.png"),
+        "--picture " + folder.name("x.png") + " --report " + folder.name("x.png")}) {
+    const Said said = suture_program("resolve " + folder.name("a.ply") + " -o " +
+                                     folder.name("out.ply") + " --cells 10 " + bad);
+    INFO(bad << ": " << said.text);
+    CHECK(said.exit == 2);
+    CHECK_THAT(said.text, Contains("a name of its own"));
+    CHECK(folder.files() == 3);
+  }
+  CHECK(contents(folder / "a.ply") == before);
+  const Said over = suture_program("resolve " + folder.name("b.ply") + " -o " +
+                                   folder.name("b.ply") + " --cells 10");
+  INFO(over.text);
+  CHECK(over.exit == 0);
+}
+
+TEST_CASE("check counts no pairs where triangles repeat, and stops counting at a million") {
+  const Folder folder;
+  const Triangles ball = subdivided_ball(2, 1);
+  write_triangles(folder / "many.ply", merged(std::vector<Triangles>(80, ball)));
+  CHECK_THAT(suture_program("check " + folder.name("many.ply")).text,
+             Contains("more than 1000000"));
+  const json many = json::parse(suture_program("check --json " + folder.name("many.ply")).text);
+  CHECK(many[0]["measures"]["self_intersecting_pairs"] == 1000000);
+  CHECK(many[0]["measures"]["self_intersecting_pairs_capped"] == true);
+  Triangles twice = ball;
+  twice.triangles.push_back(twice.triangles.front());
+  write_triangles(folder / "twice.ply", twice);
+  CHECK_THAT(suture_program("check " + folder.name("twice.ply")).text,
+             Contains("not counted: duplicate triangles"));
+}
+
+TEST_CASE("standard output that cannot be written gives exit code 2") {
+  const Folder folder;
+  write_balls(folder);
+  for (const std::string& command : {"check " + folder.name("a.ply"), std::string("make --help")}) {
+    const Said said =
+        suture_program(command + " > /dev/full 2> " + folder.name("error") + "; exit $?");
+    CHECK(said.exit == 2);
+    CHECK_THAT(contents(folder / "error"), Contains("standard output"));
   }
 }
 

@@ -221,3 +221,17 @@ TEST_CASE("every scene that comes with Suture is read and starts as a closed man
   }
   CHECK(count >= 11);
 }
+
+TEST_CASE("values that would need more triangles than can be held are refused with numbers") {
+  const std::string fine = refusal(small_scene("[quality]\nedge_length = 1e-4\n"));
+  CHECK_THAT(fine, Contains("quality.edge_length") && Contains("e+09") && Contains("5e+07"));
+  CHECK_THAT(refusal(std::string(kBody) + kMotion + kTime + "[tracker]\ncell_size = 1e-4\n"),
+             Contains("tracker.cell_size") && Contains("5e+07"));
+  CHECK_THAT(refusal(small_scene("[quality]\nedge_length = 1e-320\n")), Contains("edge_length"));
+  CHECK_THAT(refusal(std::string(kBody) + "copies = 1000000\n" + kMotion + kTracker + kTime),
+             Contains("copies") && Contains("1000000") && Contains("320 triangles"));
+  CHECK(refusal(small_scene("[quality]\nedge_length = 0.01\n")) == "not refused");
+  const std::string still = "[time]\nstep = 0.1\nend = 1\nimprove_every = 0\n";
+  CHECK(refusal(std::string(kBody) + kMotion + kTracker + still +
+                "[quality]\nedge_length = 1e-4\n") == "not refused");
+}
