@@ -10,6 +10,7 @@ namespace suture {
 
 Refusal may_collapse_to(const Mesh& mesh, Mesh::Halfedge_index h, const Point& to,
                         const CollapseRules& rules) {
+  if (!to.allFinite()) return Refusal::normal;
   if (!keeps_manifold(mesh, h)) return Refusal::link;
   const Refusal shape = judge(collapse_change(mesh, h, to), rules);
   if (shape != Refusal::none) return shape;

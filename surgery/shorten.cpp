@@ -47,7 +47,7 @@ Point volume_keeping_point(const Mesh& mesh, Mesh::Halfedge_index h) {
   const double offset = size > 0 ? excess / size : 0;
   // Rounding on flat ground must not lift the point off it; far away the estimate means nothing.
   if (std::abs(offset) < 1e-9 * length || !(std::abs(offset) < length)) return middle;
-  return middle + facing * (offset / size);
+  return middle + facing / size * offset;  // offset / size may overflow where the star is a sliver
 }
 
 /// Ways in order of preference, as far as features leave any.

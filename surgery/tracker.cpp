@@ -115,7 +115,10 @@ QualityReport Tracker::improve(Trace* trace) {
                      state_->options.origin, state_->options.depth + 3);
   Mesh mesh = state_->surface.mesh;
   QualityReport report = suture::improve(mesh, options, &lattice, state_->oracle.get());
-  state_->surface.triangles = to_triangles(mesh);
+  Triangles improved = to_triangles(mesh);
+  const Audit result = audit(improved);
+  if (!result.closed_manifold()) throw InternalFailure("improve", result.first);
+  state_->surface.triangles = std::move(improved);
   state_->surface.mesh = std::move(mesh);
   if (trace) trace->stage_ended("improve", watch.lap());
   return report;

@@ -46,6 +46,7 @@ class Tracker {
   SurgeryReport remodel(Trace* trace = nullptr);
 
   /// Subdivides, collapses and flips until edges and angles are as options().quality asks [§6.2].
+  /// \throw InternalFailure if the audit objects; the surface then stays
   QualityReport improve(Trace* trace = nullptr);
 
  private:

@@ -61,3 +61,15 @@ TEST_CASE("three thousand random and hostile surgeries each leave a closed manif
   WARN(operated << " of 3000 inputs needed surgery");
   CHECK(operated >= 2000);
 }
+
+TEST_CASE("improving what hostile surgeries leave keeps it a closed manifold") {
+  for (const std::uint64_t seed : {10003, 10007, 10026, 10031, 10042, 10058}) {
+    HostileCase c = HostileCases(seed).make();
+    c.options.quality.edge_length = 0.5;
+    Tracker tracker(c.surface, c.options);
+    tracker.remodel();
+    tracker.improve();
+    CAPTURE(seed);
+    if (!tracker.surface().triangles.empty()) CHECK(audit(tracker.surface()).closed_manifold());
+  }
+}
