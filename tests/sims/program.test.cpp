@@ -7,6 +7,7 @@
 #include "kernel/measures.h"
 #include "kernel/mesh_io.h"
 #include "kernel/transform.h"
+#include "sims/output/report_json.h"
 #include "tests/sims/balls.h"
 
 using namespace suture;
@@ -209,6 +210,26 @@ TEST_CASE("standard output that cannot be written gives exit code 2") {
     CHECK(said.exit == 2);
     CHECK_THAT(contents(folder / "error"), Contains("standard output"));
   }
+}
+
+TEST_CASE("a name that the file system refuses gives exit code 2 with its reason") {
+  const Folder folder;
+  write_balls(folder);
+  const Said said = suture_program("resolve " + folder.name("a.ply") + " --cells 9 -o " +
+                                   folder.name(std::string(300, 'x') + "/out.ply"));
+  INFO(said.text);
+  CHECK(said.exit == 2);
+  CHECK_THAT(said.text, Contains("too long") && !Contains("filesystem error"));
+}
+
+TEST_CASE("a report adds up the seconds of a stage that ran twice") {
+  SurgeryReport report;
+  report.seconds = {{"cut", 1.5}, {"fill", 1}, {"cut", 2}};
+  report.coincident_triangles = 7;
+  const json written = to_json(report);
+  CHECK(written["seconds"]["cut"] == 3.5);
+  CHECK(written["seconds"]["fill"] == 1.0);
+  CHECK(written["coincident_triangles"] == 7);
 }
 
 TEST_CASE("check says yes to a closed manifold and gives its measures") {
