@@ -8,9 +8,6 @@ namespace suture {
 
 namespace {
 
-bool merges(Events e) { return e == Events::merge || e == Events::both; }
-bool splits(Events e) { return e == Events::split || e == Events::both; }
-
 bool is_deep(const CellSet& set, const Index3& cell, int depth) {
   for (int i = -depth; i <= depth; ++i)
     for (int j = -depth; j <= depth; ++j)

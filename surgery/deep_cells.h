@@ -9,6 +9,9 @@
 
 namespace suture {
 
+constexpr bool merges(Events e) { return e == Events::merge || e == Events::both; }
+constexpr bool splits(Events e) { return e == Events::split || e == Events::both; }
+
 struct EventTest {
   Events events = Events::both;
   CellTest cell_test = CellTest::deep;

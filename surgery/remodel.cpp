@@ -22,6 +22,7 @@
 #include "surgery/region.h"
 #include "surgery/stitch.h"
 #include "surgery/straighten.h"
+#include "surgery/tracker_lattice.h"
 
 namespace suture {
 
@@ -193,8 +194,7 @@ void attempt(Surface& surface, const Detected& d, const TrackerOptions& options,
 void detect_and_operate(Surface& surface, const TrackerOptions& options, const Oracle& oracle,
                         SurgeryReport& report, StageClock& clock) {
   Incidence mesh = incidence(surface.triangles);
-  Lattice lattice = lattice_around(bounding_box(surface.triangles.positions), options.cell_size,
-                                   options.origin, options.depth + 3);
+  Lattice lattice = tracker_lattice(surface.triangles.positions, options);
   require_crossings_fit(surface.triangles, lattice);
   clock.ended("incidence");
   Crossings crossings = find_crossings(mesh, lattice, oracle);
@@ -243,8 +243,7 @@ bool operate_on_one_of_each(Surface& surface, const std::vector<std::uint32_t>& 
                             SurgeryReport& report, StageClock& clock) {
   Surface single = surface;
   std::vector<std::uint32_t> map = drop(repeated, single);
-  const Lattice lattice = lattice_around(bounding_box(surface.triangles.positions),
-                                         options.cell_size, options.origin, options.depth + 3);
+  const Lattice lattice = tracker_lattice(surface.triangles.positions, options);
   require_crossings_fit(surface.triangles, lattice);
   const bool may_drop =
       sides_agree(single.triangles, only(repeated, surface.triangles), lattice, oracle);
@@ -272,10 +271,10 @@ SurgeryReport remodel(Surface& surface, const TrackerOptions& options, const Ora
   const Components bodies = measure_before(surface, report);
   clock.ended("measure");
   const OracleCounts asked = oracle.counts();
-  const bool merging = options.events == Events::merge || options.events == Events::both;
   try {
-    const std::vector<std::uint32_t> repeated =
-        merging ? repeated_triangles(surface.triangles, bodies) : std::vector<std::uint32_t>{};
+    const std::vector<std::uint32_t> repeated = merges(options.events)
+                                                    ? repeated_triangles(surface.triangles, bodies)
+                                                    : std::vector<std::uint32_t>{};
     if (repeated.empty() ||
         !operate_on_one_of_each(surface, repeated, options, oracle, report, clock))
       detect_and_operate(surface, options, oracle, report, clock);

@@ -6,6 +6,7 @@
 
 #include "surgery/complex_cells.h"
 #include "surgery/distance_field.h"
+#include "surgery/tracker_lattice.h"
 
 namespace suture {
 
@@ -19,7 +20,7 @@ struct SurfaceDistance::State {
 
   State(const Triangles& s, const TrackerOptions& o)
       : surface(s),
-        lattice(lattice_around(bounding_box(s.positions), o.cell_size, o.origin, o.depth + 3)),
+        lattice(tracker_lattice(s.positions, o)),
         crossings(find_crossings(incidence(s), lattice, *make_oracle(o.arithmetic))),
         winding(crossings),
         field(surface, lattice, winding) {}

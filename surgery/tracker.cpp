@@ -11,6 +11,7 @@
 #include "surgery/budget.h"
 #include "surgery/quality.h"
 #include "surgery/remodel.h"
+#include "surgery/tracker_lattice.h"
 
 namespace suture {
 
@@ -54,8 +55,7 @@ struct Tracker::State {
 Tracker::Tracker(Triangles surface, const TrackerOptions& options) {
   require_in_range(options);
   require_closed_manifold(surface, "the surface");
-  require_crossings_fit(surface, lattice_around(bounding_box(surface.positions), options.cell_size,
-                                                options.origin, options.depth + 3));
+  require_crossings_fit(surface, tracker_lattice(surface.positions, options));
   state_ = std::make_unique<State>();
   state_->options = options;
   state_->oracle = make_oracle(options.arithmetic);
@@ -110,9 +110,7 @@ QualityReport Tracker::improve(Trace* trace) {
   Stopwatch watch;
   QualityOptions options = state_->options.quality;
   if (options.edge_length == 0) options.edge_length = state_->options.cell_size;
-  const Lattice lattice =
-      lattice_around(bounding_box(surface().positions), state_->options.cell_size,
-                     state_->options.origin, state_->options.depth + 3);
+  const Lattice lattice = tracker_lattice(surface().positions, state_->options);
   Mesh mesh = state_->surface.mesh;
   QualityReport report = suture::improve(mesh, options, &lattice, state_->oracle.get());
   Triangles improved = to_triangles(mesh);

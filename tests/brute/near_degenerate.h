@@ -7,20 +7,15 @@
 #include <limits>
 #include <ostream>
 
+#include "kernel/random.h"
 #include "kernel/triangles.h"
 
 namespace suture::brute {
 
-/// SplitMix64: the same numbers on every platform (Steele, Lea and Flood, OOPSLA 2014).
-class Random {
+class Draws : private suture::Random {
  public:
-  explicit Random(std::uint64_t seed) : state_(seed) {}
-  std::uint64_t bits() {
-    std::uint64_t z = (state_ += 0x9e3779b97f4a7c15U);
-    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9U;
-    z = (z ^ (z >> 27)) * 0x94d049bb133111ebU;
-    return z ^ (z >> 31);
-  }
+  using suture::Random::Random;
+  std::uint64_t bits() { return next(); }
   /// 0 to n−1; the bias is below n / 2^64.
   int below(int n) { return static_cast<int>(bits() % static_cast<std::uint64_t>(n)); }
   int between(int low, int high) { return low + below(high - low + 1); }
@@ -30,9 +25,6 @@ class Random {
     const double x = real(), y = real(), z = real();
     return {x, y, z};
   }
-
- private:
-  std::uint64_t state_;
 };
 
 enum class Family {
@@ -66,7 +58,7 @@ inline double nudged(double x, int steps) {
 }
 
 /// Any finite double, its exponent as likely as any other; one in eight is zero.
-inline double any_double(Random& random) {
+inline double any_double(Draws& random) {
   if (random.below(8) == 0) return 0;
   const int exponent = random.between(-1074, 1024);
   return std::ldexp(random.real(), exponent);
@@ -74,7 +66,7 @@ inline double any_double(Random& random) {
 
 using Points4 = std::array<Point, 4>;
 
-inline Points4 integers(Random& random, double scale) {
+inline Points4 integers(Draws& random, double scale) {
   Points4 result;
   for (Point& p : result)
     for (double& x : p) x = random.below(4) * scale;
@@ -82,7 +74,7 @@ inline Points4 integers(Random& random, double scale) {
 }
 
 /// Rounded points of the line (`directions` 1) or plane (2) through a random point.
-inline Points4 on_flat(Random& random, int directions) {
+inline Points4 on_flat(Draws& random, int directions) {
   const Point origin = random.point(), s = random.point(), t = random.point();
   Points4 result;
   for (Point& p : result) {
@@ -94,7 +86,7 @@ inline Points4 on_flat(Random& random, int directions) {
   return result;
 }
 
-inline Points4 near_lattice(Random& random) {
+inline Points4 near_lattice(Draws& random) {
   Points4 result;
   for (Point& p : result)
     for (double& x : p) {
@@ -104,14 +96,14 @@ inline Points4 near_lattice(Random& random) {
   return result;
 }
 
-inline Points4 in_axis_plane(Random& random) {
+inline Points4 in_axis_plane(Draws& random) {
   Points4 result = on_flat(random, random.between(1, 2));
   const int axis = random.below(3);
   for (Point& p : result) p[axis] = result[0][axis];
   return result;
 }
 
-inline Points4 stretched(Random& random) {
+inline Points4 stretched(Draws& random) {
   Points4 result = random.below(2) ? integers(random, 1) : on_flat(random, 2);
   for (int axis = 0; axis < 3; ++axis) {
     const int exponent = random.between(-1074, 1020);
@@ -121,7 +113,7 @@ inline Points4 stretched(Random& random) {
 }
 
 /// Four finite points. Often some coincide.
-inline Points4 near_degenerate(Family family, Random& random) {
+inline Points4 near_degenerate(Family family, Draws& random) {
   const auto each = [](auto make) { return Points4{make(), make(), make(), make()}; };
   switch (family) {
     case Family::random:

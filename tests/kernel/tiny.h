@@ -4,6 +4,7 @@
 #include <bit>
 #include <cstring>
 
+#include "kernel/random.h"
 #include "kernel/triangles.h"
 
 namespace suture {
@@ -78,22 +79,11 @@ inline bool same_bits(const Triangles& a, const Triangles& b) {
   return true;
 }
 
-/// SplitMix64: the same numbers on every machine.
-class Dice {
+class Dice : public Random {
  public:
-  explicit Dice(std::uint64_t seed) : state_(seed) {}
-  std::uint64_t next() {
-    std::uint64_t z = state_ += 0x9e3779b97f4a7c15ULL;
-    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9ULL;
-    z = (z ^ (z >> 27)) * 0x94d049bb133111ebULL;
-    return z ^ (z >> 31);
-  }
-  std::size_t below(std::size_t n) { return static_cast<std::size_t>(next() % n); }
+  using Random::Random;
   /// In [-1, 1).
   double signed_unit() { return static_cast<double>(next() >> 11) * 0x1p-52 - 1; }
-
- private:
-  std::uint64_t state_;
 };
 
 }  // namespace suture

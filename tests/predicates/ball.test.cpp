@@ -29,13 +29,13 @@ bool holds(const Tracked& x) {
 
 Tracked sum_of(double x, double y) { return {exact_sum(x, y), mpq_class(x) + mpq_class(y)}; }
 
-Tracked full_length(Random& random) {
+Tracked full_length(Draws& random) {
   const double x = random.real();
   return sum_of(x, std::ldexp(x * random.real(), -53));
 }
 
 /// A number of two doubles, up to 2^±`reach`: far apart, almost cancelled, or of full length.
-Tracked leaf(Random& random, int reach) {
+Tracked leaf(Draws& random, int reach) {
   const auto number = [&] {
     const double x = random.real();
     return std::ldexp(x, random.between(-reach, reach));
@@ -57,7 +57,7 @@ Tracked combined(int operation, const Tracked& x, const Tracked& y) {
 /// How many of `trees` random expressions of up to eight operations leave a bound that is too
 /// small.
 int broken_bounds(int trees, int reach) {
-  Random random(31);
+  Draws random(31);
   int broken = 0;
   for (int i = 0; i < trees; ++i) {
     std::array<Tracked, 4> slots;
@@ -86,7 +86,7 @@ TEST_CASE("a ball holds its exact number, or is not finite, where exponents are 
 
 TEST_CASE("one operation on full-length numbers errs by less than a third of its bound") {
   // Measured over 300,000: a quarter for products, less than an eighth for sums and quotients.
-  Random random(32);
+  Draws random(32);
   int close = 0;
   for (int i = 0; i < 50'000; ++i) {
     const Tracked x = full_length(random), y = full_length(random);

@@ -101,19 +101,19 @@ std::string mistake(const Points4& t, int axis) {
 /// The first of `cases` mistakes that `make_mistake` makes, or nothing.
 template <class Make>
 std::string first_mistake(std::uint64_t seed, int cases, const Make& make_mistake) {
-  Random random(seed);
+  Draws random(seed);
   for (int i = 0; i < cases; ++i)
     if (std::string text = make_mistake(random); !text.empty()) return text;
   return "";
 }
 
-EdgeQuestion edge_in(const Points4& points, Random& random) {
+EdgeQuestion edge_in(const Points4& points, Draws& random) {
   const int axis = random.below(3), want = (axis + random.between(1, 2)) % 3;
   return {points[0], points[1], axis, want, points[2][axis]};
 }
 
 /// An edge whose point lies halfway between two doubles, or off it by as little as 2^-1000 of them.
-EdgeQuestion near_halfway(Random& random) {
+EdgeQuestion near_halfway(Draws& random) {
   EdgeQuestion e{random.point(), random.point(), 0, 1, 0};
   e.q[1] = nudged(e.p[1], 2 * random.below(3) + 1);
   e.p[0] = -1;
@@ -123,7 +123,7 @@ EdgeQuestion near_halfway(Random& random) {
 }
 
 /// The same for a triangle: its heights differ by one ulp, and it is met near its middle.
-Points4 triangle_near_halfway(Random& random) {
+Points4 triangle_near_halfway(Draws& random) {
   const double low = random.real(), high = nudged(low, 1);
   const double off = random.below(4) ? std::ldexp(1, -random.between(40, 1000)) : 0;
   const double y = random.real();
@@ -136,7 +136,7 @@ Points4 triangle_near_halfway(Random& random) {
 TEST_CASE("a point on an edge is the double nearest to the exact one, whatever the edge") {
   for (Family family : kFamilies) {
     INFO(family);
-    CHECK(first_mistake(21, 8'000, [&](Random& random) {
+    CHECK(first_mistake(21, 8'000, [&](Draws& random) {
             const EdgeQuestion e = edge_in(near_degenerate(family, random), random);
             return e.p[e.axis] == e.q[e.axis] ? std::string() : mistake(e);
           }) == "");
@@ -146,7 +146,7 @@ TEST_CASE("a point on an edge is the double nearest to the exact one, whatever t
 TEST_CASE("a point on a triangle is the double nearest to the exact one, whatever the triangle") {
   for (Family family : kFamilies) {
     INFO(family);
-    CHECK(first_mistake(22, 5'000, [&](Random& random) {
+    CHECK(first_mistake(22, 5'000, [&](Draws& random) {
             const Points4 t = near_degenerate(family, random);
             return mistake(t, random.below(3));
           }) == "");
@@ -154,15 +154,15 @@ TEST_CASE("a point on a triangle is the double nearest to the exact one, whateve
 }
 
 TEST_CASE("a point halfway between two doubles, or almost, is rounded correctly") {
-  CHECK(first_mistake(23, 20'000, [](Random& random) { return mistake(near_halfway(random)); }) ==
+  CHECK(first_mistake(23, 20'000, [](Draws& random) { return mistake(near_halfway(random)); }) ==
         "");
-  CHECK(first_mistake(24, 20'000, [](Random& random) {
+  CHECK(first_mistake(24, 20'000, [](Draws& random) {
           return mistake(triangle_near_halfway(random), 2);
         }) == "");
 }
 
 TEST_CASE("a crossing at an end of an edge is that end, to the bit") {
-  CHECK(first_mistake(25, 10'000, [](Random& random) {
+  CHECK(first_mistake(25, 10'000, [](Draws& random) {
           const Point p = random.point(), q = random.point();
           return on_edge(p, q, 0, p[0], 2) == p[2] && on_edge(p, q, 0, q[0], 2) == q[2]
                      ? std::string()
@@ -171,7 +171,7 @@ TEST_CASE("a crossing at an end of an edge is that end, to the bit") {
 }
 
 TEST_CASE("the ends of an edge and the corners of a triangle may come in any order") {
-  Random random(26);
+  Draws random(26);
   for (int i = 0; i < 1'000; ++i) {
     const Points4 p = near_degenerate(Family::random, random);
     REQUIRE(on_edge(p[0], p[1], 1, p[2][1], 0) == on_edge(p[1], p[0], 1, p[2][1], 0));

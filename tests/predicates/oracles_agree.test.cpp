@@ -25,7 +25,7 @@ std::string show(const Points4& points) {
   return text;
 }
 
-LatticePoint2 lattice_point(const Point& at, Random& random) {
+LatticePoint2 lattice_point(const Point& at, Draws& random) {
   const int u = random.below(3), v = (u + random.between(1, 2)) % 3;
   return {u, v, at[u], at[v]};
 }
@@ -37,11 +37,11 @@ struct Twins {
 /// What disagrees, with the points; empty if nothing does.
 template <class Question>
 std::string disagreement(Family family, const Question& ask) {
-  Random random(static_cast<std::uint64_t>(family) + 1);
+  Draws random(static_cast<std::uint64_t>(family) + 1);
   const Twins twins;
   for (int i = 0; i < kCasesAFamily; ++i) {
     const Points4 points = near_degenerate(family, random);
-    const Random start = random;
+    const Draws start = random;
     const int filtered = ask(*twins.filtered, points, random);
     random = start;
     const int rational = ask(*twins.rational, points, random);
@@ -54,7 +54,7 @@ std::string disagreement(Family family, const Question& ask) {
 /// The first case for which `holds` does not, on the filtered oracle; empty if there is none.
 template <class Property>
 std::string exception_to(Family family, const Property& holds) {
-  Random random(static_cast<std::uint64_t>(family) + 101);
+  Draws random(static_cast<std::uint64_t>(family) + 101);
   const auto oracle = make_filtered_oracle();
   for (int i = 0; i < kCasesAFamily; ++i) {
     const Points4 points = near_degenerate(family, random);
@@ -68,7 +68,7 @@ std::string exception_to(Family family, const Property& holds) {
 TEST_CASE("both oracles see a lattice line on the same side of an edge") {
   for (Family family : kFamilies) {
     INFO(family);
-    CHECK(disagreement(family, [](const Oracle& oracle, const Points4& p, Random& random) {
+    CHECK(disagreement(family, [](const Oracle& oracle, const Points4& p, Draws& random) {
             return oracle.edge_side(p[0], p[1], lattice_point(p[2], random));
           }) == "");
   }
@@ -77,7 +77,7 @@ TEST_CASE("both oracles see a lattice line on the same side of an edge") {
 TEST_CASE("both oracles see a lattice node on the same side of a triangle") {
   for (Family family : kFamilies) {
     INFO(family);
-    CHECK(disagreement(family, [](const Oracle& oracle, const Points4& p, Random&) {
+    CHECK(disagreement(family, [](const Oracle& oracle, const Points4& p, Draws&) {
             return oracle.triangle_side(p[0], p[1], p[2], p[3]);
           }) == "");
   }
@@ -86,7 +86,7 @@ TEST_CASE("both oracles see a lattice node on the same side of a triangle") {
 TEST_CASE("both oracles give four points the same orientation") {
   for (Family family : kFamilies) {
     INFO(family);
-    CHECK(disagreement(family, [](const Oracle& oracle, const Points4& p, Random&) {
+    CHECK(disagreement(family, [](const Oracle& oracle, const Points4& p, Draws&) {
             return oracle.orientation(p[0], p[1], p[2], p[3]);
           }) == "");
   }
@@ -95,7 +95,7 @@ TEST_CASE("both oracles give four points the same orientation") {
 TEST_CASE("turning an edge or the axes round turns the side round") {
   for (Family family : kFamilies) {
     INFO(family);
-    CHECK(exception_to(family, [](const Oracle& oracle, const Points4& p, Random& random) {
+    CHECK(exception_to(family, [](const Oracle& oracle, const Points4& p, Draws& random) {
             const LatticePoint2 at = lattice_point(p[2], random);
             const int side = oracle.edge_side(p[0], p[1], at);
             return side == -oracle.edge_side(p[1], p[0], at) &&
@@ -107,7 +107,7 @@ TEST_CASE("turning an edge or the axes round turns the side round") {
 TEST_CASE("a triangle's side follows the order of its corners") {
   for (Family family : kFamilies) {
     INFO(family);
-    CHECK(exception_to(family, [](const Oracle& oracle, const Points4& p, Random&) {
+    CHECK(exception_to(family, [](const Oracle& oracle, const Points4& p, Draws&) {
             const int side = oracle.triangle_side(p[0], p[1], p[2], p[3]);
             return side == oracle.triangle_side(p[1], p[2], p[0], p[3]) &&
                    side == -oracle.triangle_side(p[1], p[0], p[2], p[3]) &&
@@ -119,7 +119,7 @@ TEST_CASE("a triangle's side follows the order of its corners") {
 TEST_CASE("orientation changes sign with every swap of its points") {
   for (Family family : kFamilies) {
     INFO(family);
-    CHECK(exception_to(family, [](const Oracle& oracle, const Points4& p, Random&) {
+    CHECK(exception_to(family, [](const Oracle& oracle, const Points4& p, Draws&) {
             const int sign = oracle.orientation(p[0], p[1], p[2], p[3]);
             return sign == -oracle.orientation(p[1], p[0], p[2], p[3]) &&
                    sign == -oracle.orientation(p[0], p[1], p[3], p[2]) &&
@@ -131,7 +131,7 @@ TEST_CASE("orientation changes sign with every swap of its points") {
 TEST_CASE("an edge has no side only where it projects to a point") {
   for (Family family : kFamilies) {
     INFO(family);
-    CHECK(exception_to(family, [](const Oracle& oracle, const Points4& p, Random& random) {
+    CHECK(exception_to(family, [](const Oracle& oracle, const Points4& p, Draws& random) {
             const LatticePoint2 at = lattice_point(p[2], random);
             const bool point =
                 p[0][at.u_axis] == p[1][at.u_axis] && p[0][at.v_axis] == p[1][at.v_axis];
@@ -141,7 +141,7 @@ TEST_CASE("an edge has no side only where it projects to a point") {
 }
 
 TEST_CASE("the filter decides all random input and admits where it cannot") {
-  Random random(7);
+  Draws random(7);
   const auto oracle = make_filtered_oracle();
   for (int i = 0; i < 10'000; ++i) {
     const Points4 p = near_degenerate(Family::random, random);

@@ -39,7 +39,7 @@ int winding(const Oracle& oracle, const Tetrahedron& body, int axis, const Point
 /// How many of `cases` tetrahedra of small integers have an integer node that rays along the three
 /// axes do not agree about, or that winds by more than one.
 int inconsistent(const Oracle& oracle, int cases) {
-  Random random(11);
+  Draws random(11);
   int count = 0;
   for (int i = 0; i < cases; ++i) {
     const Tetrahedron body = near_degenerate(Family::small_integers, random);
@@ -55,7 +55,7 @@ int inconsistent(const Oracle& oracle, int cases) {
 std::map<Family, int> differences(const Oracle& one, const Oracle& other, int cases) {
   std::map<Family, int> count;
   for (Family family : kFamilies) {
-    Random random(13);
+    Draws random(13);
     for (int i = 0; i < cases; ++i) {
       const Points4 p = near_degenerate(family, random);
       const int u = random.below(3), v = (u + random.between(1, 2)) % 3;

@@ -7,31 +7,18 @@
 #include <numbers>
 #include <utility>
 
+#include "kernel/random.h"
 #include "kernel/triangles.h"
 
 namespace suture::bodies {
 
-/// SplitMix64: the same numbers everywhere.
-class Dice {
+class Dice : public Random {
  public:
-  explicit Dice(std::uint64_t seed) : state_(seed) {}
-  std::uint64_t next() {
-    std::uint64_t z = state_ += 0x9e3779b97f4a7c15ULL;
-    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9ULL;
-    z = (z ^ (z >> 27)) * 0x94d049bb133111ebULL;
-    return z ^ (z >> 31);
-  }
-  double uniform(double low, double high) {
-    return low + (high - low) * static_cast<double>(next() >> 11) * 0x1p-53;
-  }
-  std::size_t below(std::size_t n) { return static_cast<std::size_t>(next() % n); }
+  using Random::Random;
   Point in_cube(double half) {
     const double x = uniform(-half, half), y = uniform(-half, half);
     return {x, y, uniform(-half, half)};
   }
-
- private:
-  std::uint64_t state_;
 };
 
 /// A tetrahedron's, octahedron's or box's faces, each edge halved `times` times.
