@@ -80,6 +80,8 @@ TrackerOptions read_tracker(Keys keys) {
   t.placement = keys.choice("placement", kPlacementNames, t.placement);
   t.arithmetic = keys.choice("arithmetic", kArithmeticNames, t.arithmetic);
   t.jitter = keys.number("jitter", Range::between(0, 0.1), t.jitter);
+  t.most_restarts = static_cast<int>(keys.integer(
+      "most_restarts", Range::between(0, std::numeric_limits<int>::max()), t.most_restarts));
   t.straighten_turn = keys.number("straighten_turn", Range::between(0, 180), t.straighten_turn);
   keys.done();
   return t;

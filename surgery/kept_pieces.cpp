@@ -44,11 +44,12 @@ int edges_at(const TrianglePieces& pieces, std::uint32_t site) {
 }  // namespace
 
 KeptPieces::KeptPieces(const CutInput& input, std::uint32_t triangle, const TrianglePieces& pieces,
-                       Sites& sites)
+                       Sites& sites, Part part)
     : in_(input),
       triangle_(triangle),
       pieces_(pieces),
       sites_(sites),
+      part_(part),
       global_(3 + pieces.edge_sites.size() + pieces.line_sites.size(), kNone) {}
 
 std::uint32_t KeptPieces::global(std::uint32_t local) {
@@ -123,6 +124,7 @@ std::vector<std::uint32_t> KeptPieces::components() const {
 
 bool KeptPieces::forbidden(std::uint32_t a, std::uint32_t b) const {
   if ((edges_at(pieces_, a) & edges_at(pieces_, b)) != 0) return true;
+  if (part_ == Part::inside) return false;
   const NearCells x = near_cells(pieces_, a, in_), y = near_cells(pieces_, b, in_);
   for (int i = 0; i < x.count; ++i)
     for (int j = 0; j < y.count; ++j)
