@@ -12,12 +12,6 @@ namespace {
 
 constexpr const char* kAxisName[3] = {"x", "y", "z"};
 
-std::string number(double x) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.6g", x);
-  return text;
-}
-
 std::vector<double> planes_between(double low, double high, double cell, double origin, int margin,
                                    int axis) {
   const double first = std::floor((low - origin) / cell) - margin;
