@@ -9,9 +9,9 @@
 namespace suture {
 
 /// A number as messages show it, at any size: std::to_string gives 0.000000 for all small ones.
-inline std::string number(double x) {
+inline std::string number(double x, const char* format = "%.6g") {
   char text[32];
-  std::snprintf(text, sizeof text, "%.6g", x);
+  std::snprintf(text, sizeof text, format, x);
   return text;
 }
 

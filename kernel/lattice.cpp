@@ -22,7 +22,7 @@ std::vector<double> planes_between(double low, double high, double cell, double 
                        " = " + number(low) + " to " + number(high) +
                        " leaves the range of doubles; choose another cell, or scale the mesh");
   if (!(count <= kMaxPlanes))
-    throw InvalidInput("cell size " + number(cell) + " asks for " + number(count - 1) +
+    throw InvalidInput("cell size " + number(cell) + " asks for " + number(count - 1, "%.10g") +
                        " cells along " + kAxisName[axis] + ", at most " +
                        std::to_string(kMaxPlanes - 1) + " fit the indices; choose a larger cell");
   std::vector<double> planes(static_cast<std::size_t>(count));

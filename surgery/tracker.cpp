@@ -46,6 +46,12 @@ void require_in_range(const TrackerOptions& o) {
         "more");
 }
 
+std::vector<std::uint32_t> identity(std::size_t n) {
+  std::vector<std::uint32_t> map(n);
+  std::iota(map.begin(), map.end(), 0U);
+  return map;
+}
+
 /// A remodel in the unit that suits the cells; the surface is untouched unless it commits.
 SurgeryReport remodel_in_unit(Surface& surface, const TrackerOptions& options, const Oracle& oracle,
                               Trace* trace) {
@@ -64,8 +70,7 @@ SurgeryReport remodel_in_unit(Surface& surface, const TrackerOptions& options, c
     report.volume_after = report.volume_before;
     report.euler_after = report.euler_before;
     report.components_after = report.components_before;
-    report.vertex_map.resize(surface.triangles.positions.size());
-    std::iota(report.vertex_map.begin(), report.vertex_map.end(), 0U);
+    report.vertex_map = identity(surface.triangles.positions.size());
   }
   return report;
 }
@@ -148,6 +153,10 @@ QualityReport Tracker::improve(Trace* trace) {
   options.edge_length = std::ldexp(options.edge_length, -unit);
   QualityReport report = suture::improve(work.mesh, options, &lattice, state_->oracle.get());
   multiply(report, unit);
+  if (report.subdivisions + report.collapses.done + report.flips + report.flattened == 0) {
+    report.vertex_map = identity(surface().positions.size());  // what was tried has renumbered it
+    return report;
+  }
   if (!multiply(work.mesh, unit)) throw InternalFailure("improve", kTooSmall);
   Triangles improved = to_triangles(work.mesh);
   const Audit result = audit(improved);
