@@ -47,6 +47,7 @@ class KeptPieces {
   std::optional<std::vector<Triangle>> triangulate(
       const std::vector<std::vector<std::uint32_t>>& loops);
   bool forbidden(std::uint32_t a, std::uint32_t b) const;
+  bool is_too_long(std::size_t corners) const;
   std::uint32_t global(std::uint32_t local);
 
   const CutInput& in_;

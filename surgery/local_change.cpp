@@ -146,10 +146,24 @@ LocalChange collapse_change(const Mesh& mesh, Mesh::Halfedge_index h, const Poin
   return change;
 }
 
+namespace {
+
+/// Without a walk round the whole star: a vertex may have any number of triangles.
+bool has_three_or_fewer(const Mesh& mesh, Mesh::Vertex_index v) {
+  const auto first = mesh.halfedge(v);
+  auto h = first;
+  for (int i = 0; i < 3; ++i)
+    if ((h = mesh.next_around_target(h)) == first) return true;
+  return false;
+}
+
+}  // namespace
+
 bool keeps_manifold(const Mesh& mesh, Mesh::Halfedge_index h) {
   const auto left = mesh.target(mesh.next(h));
   const auto right = mesh.target(mesh.next(mesh.opposite(h)));
-  if (left == right || mesh.degree(left) <= 3 || mesh.degree(right) <= 3) return false;
+  if (left == right || has_three_or_fewer(mesh, left) || has_three_or_fewer(mesh, right))
+    return false;
   return CGAL::Euler::does_satisfy_link_condition(mesh.edge(h), mesh);
 }
 

@@ -66,6 +66,7 @@ struct SurgeryReport {
 
 struct QualityReport {
   std::size_t subdivisions = 0, flips = 0;
+  std::size_t flattened = 0;  ///< obtuse corners put onto their longest edge
   CollapseCounts collapses;
   std::size_t refused_flips = 0;
   double smallest_angle = 0, shortest_edge = 0, longest_edge = 0;  ///< afterwards; degrees, lengths
