@@ -3,15 +3,12 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <set>
 
 #include "kernel/random.h"
 #include "kernel/self_intersections.h"
 #include "sims/option_names.h"
-#include "surgery/tracker_lattice.h"
 #include "tests/models.h"
-#include "tests/surgery/hostile.h"
-#include "tests/surgery/support.h"
+#include "tests/surgery/sewn.h"
 
 using namespace suture;
 
@@ -24,30 +21,43 @@ struct Case {
   std::vector<HostileCase> inputs;
 };
 
-/// What the pairs after a remodel are made of.
+/// What the pairs after a remodel are made of. A triangle counts as outside or in a cell of the
+/// region by where its centre is.
 struct Counts {
   std::size_t operated = 0, refused = 0, before = 0, after = 0;
-  std::size_t old_old = 0;    ///< two triangles of the input that surgery left as they were
-  std::size_t old_new = 0;    ///< one of them, and one that surgery made or changed
-  std::size_t same_cell = 0;  ///< two new ones whose centres are in one cell
-  std::size_t apart = 0;      ///< two new ones whose centres are in different cells
+  std::size_t touching = 0;   ///< not deeper than 2^-48 of the extent, or gone if both shrink
+  std::size_t outside = 0;    ///< of the others: both outside the region
+  std::size_t beside = 0;     ///< one outside, one in it
+  std::size_t same_cell = 0;  ///< both in one cell of it
+  std::size_t apart = 0;      ///< in two cells of it
   std::size_t triangles = 0, without_area = 0;
 };
 
-Triangle sorted(Triangle t) {
-  std::sort(t.begin(), t.end());
-  return t;
+/// How far the vertices of one triangle lie on the lesser side of the other's plane.
+double reach_through(const Triangles& s, const Triangle& one, const Triangle& other) {
+  const auto& p = s.positions;
+  const Point normal =
+      (p[other[1]] - p[other[0]]).cross(p[other[2]] - p[other[0]]).stableNormalized();
+  double above = 0, below = 0;
+  for (const std::uint32_t v : one) {
+    const double height = normal.dot(p[v] - p[other[0]]);
+    above = std::max(above, height);
+    below = std::max(below, -height);
+  }
+  return std::min(above, below);
 }
 
-/// For each triangle of `after`, whether it is one of `before`.
-std::vector<char> old_ones(const Triangles& before, const Triangles& after,
-                           const std::vector<std::uint32_t>& map) {
-  std::set<Triangle> images;
-  for (const Triangle& t : before.triangles)
-    images.insert(sorted({map[t[0]], map[t[1]], map[t[2]]}));
-  std::vector<char> old;
-  for (const Triangle& t : after.triangles) old.push_back(images.contains(sorted(t)) ? 1 : 0);
-  return old;
+/// Whether two triangles that intersect no longer do once each is drawn towards its centre by
+/// 2^-20: they touch in a vertex, an edge, or by the rounding of a vertex.
+bool only_touch(const Triangles& surface, const Triangle& one, const Triangle& other) {
+  constexpr double kShrink = 0x1p-20;
+  Triangles two{{}, {{0, 1, 2}, {3, 4, 5}}};
+  for (const Triangle& t : {one, other}) {
+    const auto& p = surface.positions;
+    const Point centre = p[t[0]] / 3 + p[t[1]] / 3 + p[t[2]] / 3;
+    for (const std::uint32_t v : t) two.positions.push_back(p[v] + kShrink * (centre - p[v]));
+  }
+  return self_intersections(two).pairs.empty();
 }
 
 void count(const HostileCase& input, Collapse collapse, Counts& c) {
@@ -56,7 +66,8 @@ void count(const HostileCase& input, Collapse collapse, Counts& c) {
   Tracker tracker(input.surface, options);
   const SurgeryReport report = tracker.remodel();
   c.refused += report.outcome == Outcome::refused ? 1 : 0;
-  if (report.outcome != Outcome::committed) return;
+  // Without copies that were dropped first, so that the region is that of the input.
+  if (report.outcome != Outcome::committed || report.coincident_triangles > 0) return;
   ++c.operated;
   const Triangles& after = tracker.surface();
   const SelfIntersections found = self_intersections(after, {kMostPairs});
@@ -65,16 +76,25 @@ void count(const HostileCase& input, Collapse collapse, Counts& c) {
   c.triangles += after.triangles.size();
   c.without_area += found.without_area;
   if (found.pairs.empty()) return;
-  const std::vector<char> old = old_ones(input.surface, after, report.vertex_map);
-  const Lattice lattice = tracker_lattice(input.surface.positions, options);
+  const Detection d = detect(input.surface, options);
+  const Lattice& lattice = d.scan.lattice;
   const auto cell = [&](std::uint32_t t) {
     const Triangle& v = after.triangles[t];
     const auto& p = after.positions;
-    return lattice.cell_of(Point(p[v[0]] / 3 + p[v[1]] / 3 + p[v[2]] / 3));
+    return pack(lattice.cell_of(Point(p[v[0]] / 3 + p[v[1]] / 3 + p[v[2]] / 3)));
   };
+  const Box box = bounding_box(input.surface.positions);
+  const double rounding =
+      0x1p-48 * std::max(box.low.cwiseAbs().maxCoeff(), box.high.cwiseAbs().maxCoeff());
   for (const auto& [a, b] : found.pairs) {
-    std::size_t& kind = old[a] && old[b]     ? c.old_old
-                        : old[a] || old[b]   ? c.old_new
+    const Triangle &one = after.triangles[a], &other = after.triangles[b];
+    const double depth =
+        std::min(reach_through(after, one, other), reach_through(after, other, one));
+    const bool touching = depth <= rounding || only_touch(after, one, other);
+    const int in = (d.region.holds(cell(a)) ? 1 : 0) + (d.region.holds(cell(b)) ? 1 : 0);
+    std::size_t& kind = touching             ? c.touching
+                        : in == 0            ? c.outside
+                        : in == 1            ? c.beside
                         : cell(a) == cell(b) ? c.same_cell
                                              : c.apart;
     ++kind;
@@ -137,15 +157,15 @@ std::vector<Case> cases() {
 
 int main() {
   fmt::print(
-      "case,collapse,inputs,remodelled,refused,pairs_before,pairs_after,old_old,old_new,"
-      "new_same_cell,new_apart,triangles_after,without_area\n");
+      "case,collapse,inputs,remodelled,refused,pairs_before,pairs_after,touching,outside,beside,"
+      "same_cell,apart,triangles_after,without_area\n");
   for (const Case& c : cases())
     for (const auto& [name, collapse] : kCollapseNames) {
       Counts n;
       for (const HostileCase& input : c.inputs) count(input, collapse, n);
-      fmt::print("{},{},{},{},{},{},{},{},{},{},{},{},{}\n", c.name, name, c.inputs.size(),
-                 n.operated, n.refused, n.before, n.after, n.old_old, n.old_new, n.same_cell,
-                 n.apart, n.triangles, n.without_area);
+      fmt::print("{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", c.name, name, c.inputs.size(),
+                 n.operated, n.refused, n.before, n.after, n.touching, n.outside, n.beside,
+                 n.same_cell, n.apart, n.triangles, n.without_area);
       std::fflush(stdout);
     }
 }
