@@ -167,7 +167,9 @@ Objection object_scaling(const Observation& o) {
   const int k = static_cast<int>(random.below(81)) - 40;
   const double factor = std::ldexp(1.0, k);
   const Triangles twin_before = scaled_exactly(o.before, factor);
-  if (!same_bits(scaled_exactly(twin_before, 1 / factor), o.before)) return {};
+  if (!same_bits(scaled_exactly(twin_before, 1 / factor), o.before) ||
+      !same_bits(without_subnormals(o.before), o.before))
+    return {};
   TrackerOptions options = plain_options(o);
   options.cell_size *= factor;
   options.origin *= factor;
