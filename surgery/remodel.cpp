@@ -236,6 +236,7 @@ void attempt(Surface& surface, Detected d, const TrackerOptions& options, const 
       if (report.failure.empty()) {
         surface = std::move(adopted.surface);
         report.vertex_map = std::move(adopted.vertex_map);
+        report.region = d.region.cells.keys();
         report.outcome = Outcome::committed;
         return;
       }
