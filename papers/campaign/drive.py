@@ -230,9 +230,9 @@ def campaign(chosen, settings, lock):
 
 def tell(folder, total):
     print(f"{total['surgeries']:,} surgeries, {total['cases']:,} cases, {total['refused']:,} refused; "
-          f"failures {total['failures']}, crashes {total['crashes']}, hangs {total['hangs']}; "
+          f"failures {total['failures']} (crashes {total['crashes']}, hangs {total['hangs']}); "
           f"see {folder / 'campaign.md'}")
-    return FOUND if total["failures"] + total["crashes"] + total["hangs"] else FINISHED
+    return FOUND if total["failures"] else FINISHED
 
 
 def publish(folder):

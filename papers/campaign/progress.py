@@ -37,8 +37,8 @@ class Progress:
         rate = (done - self.at_start) / max(time.monotonic() - self.begun, 1e-9)
         text = (f"{done:,} of {self.goal:,} {self.unit} ({100 * done / self.goal:.1f} %), "
                 f"{rate:.1f}/s, {self.count('cases'):,} cases, {self.count('refused'):,} refused, "
-                f"failures {self.count('failures')}, crashes {self.count('crashes')}, "
-                f"hangs {self.count('hangs')}")
+                f"failures {self.count('failures')} (crashes {self.count('crashes')}, "
+                f"hangs {self.count('hangs')})")
         if rate > 0 and done < self.goal:
             text += f"; {clock((self.goal - done) / rate)} left"
         return text

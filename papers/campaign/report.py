@@ -11,12 +11,13 @@ import os
 import pathlib
 import subprocess
 import sys
+import tempfile
 
 import summaries
 
-LOG = ("profile", "arithmetic", "collapse", "first_seed", "cases", "remodels", "surgeries",
-       "refused", "failures", "crashes", "hangs", "cpu_seconds", "digest", "host", "slurm_job",
-       "started", "ended")
+RAN = ("host", "slurm_job", "started", "ended")
+LOG = (*summaries.NAMES, "first_seed", "cases", "remodels", "surgeries", "refused", "failures",
+       "crashes", "hangs", "cpu_seconds", "digest", *RAN)
 MERGED_AT_ONCE = 500  # names on one command line
 
 
@@ -36,30 +37,40 @@ def as_csv(rows, columns):
 
 def log_rows(parts):
     for part in parts:
-        yield {**summaries.row([part]), **{k: part[k] for k in LOG[:4]}, "digest": part["digest"],
-               **{k: part["ran"].get(k, "") for k in LOG[-4:]}}
+        yield {**summaries.row([part]), **{k: part[k] for k in summaries.NAMES},
+               **{k: part["ran"].get(k, "") for k in RAN}}
 
 
-def merged(folder, paths):
-    """The program's own merging, some hundred files at a time."""
+def merged(program, paths, scratch):
+    """The program's own merging of one combination, some hundred files at a time."""
     level, todo = 0, [str(p) for p in paths]
-    scratch = folder / "merging"
-    scratch.mkdir(exist_ok=True)
     while True:
         done = []
         for i in range(0, len(todo), MERGED_AT_ONCE):
-            to = str(scratch / f"{level}.{i}.json")
-            subprocess.run([str(folder / "suture"), "fuzz", "--merge",
-                            *todo[i:i + MERGED_AT_ONCE], "-o", to], check=True)
+            to = f"{scratch}/{level}.{i}.json"
+            ended = subprocess.run([program, "fuzz", "--merge", *todo[i:i + MERGED_AT_ONCE],
+                                    "-o", to], stdout=subprocess.DEVNULL)
+            if ended.returncode > 1:  # 1: there are failures among them
+                raise summaries.BadSummary(f"{program} could not merge the parts; see above")
             done.append(to)
         level, todo = level + 1, done
         if len(todo) == 1:
-            break
-    text = pathlib.Path(todo[0]).read_text()
-    for path in scratch.iterdir():
-        path.unlink()
-    scratch.rmdir()
-    return text
+            return json.loads(pathlib.Path(todo[0]).read_text())
+
+
+def all_merged(folder, parts, paths):
+    """Of each combination; they are checked against our own sums."""
+    result = []
+    for names, own in summaries.by_combination(parts).items():
+        with tempfile.TemporaryDirectory() as scratch:
+            one = merged(str(folder / "suture"),
+                         [p for p in paths if p.parent.name == ".".join(names)], scratch)
+        wrong = summaries.disagreements(own, one)
+        if wrong:
+            raise summaries.BadSummary(f"the merged summary of {' '.join(names)} is not the sum of "
+                                       "its parts: " + "; ".join(wrong))
+        result.append(one)
+    return result
 
 
 def markdown_table(rows, columns):
@@ -73,16 +84,15 @@ def markdown_table(rows, columns):
 
 
 def conclusion(total):
-    found = total["failures"] + total["crashes"] + total["hangs"]
-    if found or not total["surgeries"]:
+    if total["failures"] or not total["surgeries"]:
         return (f"{total['surgeries']:,} surgeries: {total['failures']} failures, "
-                f"{total['crashes']} crashes, {total['hangs']} hangs.\n")
+                f"of which {total['crashes']} crashes and {total['hangs']} hangs.\n")
     return (f"{total['surgeries']:,} surgeries without a failure, a crash or a hang. If cases drawn "
             "like these failed independently, the rate of failures would be below "
             f"{3 / total['surgeries']:.1e} a surgery (95 % confidence, rule of three).\n")
 
 
-def page(folder, parts, merged_summary):
+def page(folder, parts):
     settings = json.loads((folder / "settings.json").read_text())
     program = json.loads((folder / "program.json").read_text())
     rows = summaries.table(parts)
@@ -98,11 +108,13 @@ def page(folder, parts, merged_summary):
                         f"{program['commit']}, SHA-256 {program['sha256']}",
              "settings": ", ".join(f"{k} {v}" for k, v in sorted(settings.items())),
              "from": min(hours, default="unknown"), "to": max(hours, default="unknown"),
-             "machines": ", ".join(sorted({p["ran"].get("host", "unknown") for p in parts})),
-             "digest of all results": str(merged_summary.get("digest", ""))}
+             "hosts": ", ".join(sorted({p["ran"].get("host", "unknown") for p in parts})),
+             "digest of all results": summaries.digest_of(parts)}
     text += "".join(f"- {name}: {fact}\n" for name, fact in facts.items())
-    for name, title in (("refused_by_cause", "Refused, by cause"),
-                        ("by_generator", "Cases, by generator"), ("by_oracle", "Checks, by oracle")):
+    for name, title in (("refused_by_cause", "Remodels refused, by cause"),
+                        ("ended_by_cause", "Cases that ended early, by cause"),
+                        ("surgeries_by_generator", "Surgeries, by generator"),
+                        ("checks_by_oracle", "Checks, by oracle")):
         counts = summaries.added(parts, name)
         if counts:
             text += f"\n## {title}\n\n" + "".join(f"- {k}: {v:,}\n" for k, v in counts.items())
@@ -121,15 +133,11 @@ def report(folder):
     if not paths:
         raise summaries.BadSummary(f"{folder} holds no finished range yet")
     parts = [summaries.read(path) for path in paths]
-    text = merged(folder, paths)
-    wrong = summaries.disagreements(parts, json.loads(text))
-    if wrong:
-        raise summaries.BadSummary("the merged summary is not the sum of its parts: " +
-                                   "; ".join(wrong))
-    write(folder / "campaign.json", text)
+    whole = all_merged(folder, parts, paths)
+    write(folder / "campaign.json", json.dumps(whole, indent=1) + "\n")
     write(folder / "campaign.csv", as_csv(summaries.table(parts), summaries.TABLE))
     write(folder / "campaign.log.csv", as_csv(log_rows(parts), LOG))
-    write(folder / "campaign.md", page(folder, parts, json.loads(text)))
+    write(folder / "campaign.md", page(folder, parts))
     return summaries.row(parts)
 
 

@@ -4,9 +4,10 @@ import json
 import pathlib
 
 COUNTS = ("cases", "remodels", "surgeries", "crashes", "hangs")
-TABLE = ("profile", "arithmetic", "collapse", "first_seed", "last_seed", "ranges", "cases",
-         "remodels", "surgeries", "refused", "failures", "crashes", "hangs", "cpu_seconds",
-         "surgeries_per_cpu_second")
+NAMES = ("profile", "arithmetic", "collapse")  # a combination; summaries of one can be merged
+TABLE = (*NAMES, "first_seed", "last_seed", "ranges", "cases", "ended_early", "remodels",
+         "surgeries", "refused", "failures", "crashes", "hangs", "cpu_seconds",
+         "surgeries_per_cpu_second", "digest")
 
 
 class BadSummary(Exception):
@@ -14,24 +15,26 @@ class BadSummary(Exception):
 
 
 def read(path):
-    """A part: {combination, first_seed, ...} as the program wrote it, and where it ran."""
+    """A part: its combination, first seed, counts and so on, and where it ran."""
     path = pathlib.Path(path)
     try:
         summary = json.loads(path.read_text())
         part = {name: int(summary[name]) for name in COUNTS}
         part["refused_by_cause"] = {str(k): int(v) for k, v in summary["refused"].items()}
-        part["failures"] = [{k: f.get(k, "") for k in ("seed", "oracle", "cause", "file")}
+        part["ended_by_cause"] = {str(k): int(v) for k, v in summary["ended_early"].items()}
+        part["failures"] = [{k: f[k] for k in ("seed", "oracle", "cause", "file")}
                             for f in summary["failures"]]
+        part["surgeries_by_generator"] = {k: int(v["surgeries"])
+                                          for k, v in summary["generators"].items()}
+        part["checks_by_oracle"] = {k: int(v["checks"]) for k, v in summary["oracles"].items()}
         part["cpu_seconds"] = float(summary["cpu_seconds"])
-        part["digest"] = str(summary["digest"])
+        part["digest"] = int(summary["digest"], 16)
         part["version"] = str(summary["version"])
-        part["by_generator"] = summary.get("by_generator", {})
-        part["by_oracle"] = summary.get("by_oracle", {})
     except (OSError, ValueError, KeyError, TypeError, AttributeError) as error:
         raise BadSummary(f"{path} is no summary of suture fuzz: {error!r}; "
                          "remove it and run the campaign again, which does that range again")
     try:
-        part["profile"], part["arithmetic"], part["collapse"] = path.parent.name.split(".")
+        part.update(zip(NAMES, path.parent.name.split("."), strict=True))
         part["first_seed"] = int(path.stem)
     except ValueError:
         raise BadSummary(f"{path} is not at PROFILE.ARITHMETIC.COLLAPSE/FIRST_SEED.json")
@@ -46,6 +49,11 @@ def paths(folder):
                   key=lambda p: (p.parent.name, int(p.stem)))
 
 
+def digest_of(parts):
+    """As `suture fuzz` adds them up, so that their order is no matter."""
+    return f"{sum(part['digest'] for part in parts) % 2**64:016x}"
+
+
 def row(parts, **names):
     """One line of the table: the sums over `parts`, which may be none."""
     result = {name: sum(part[name] for part in parts) for name in COUNTS}
@@ -53,22 +61,26 @@ def row(parts, **names):
     result["last_seed"] = max((p["first_seed"] + p["cases"] - 1 for p in parts), default="")
     result["ranges"] = len(parts)
     result["refused"] = sum(sum(p["refused_by_cause"].values()) for p in parts)
-    result["failures"] = sum(len(p["failures"]) for p in parts)
+    result["ended_early"] = sum(sum(p["ended_by_cause"].values()) for p in parts)
+    result["failures"] = sum(len(p["failures"]) for p in parts)  # crashes and hangs among them
     seconds = sum(p["cpu_seconds"] for p in parts)
     result["cpu_seconds"] = round(seconds, 1)
     result["surgeries_per_cpu_second"] = round(result["surgeries"] / seconds, 2) if seconds else ""
-    return {**result, **names}
+    return {**result, "digest": digest_of(parts), **names}
+
+
+def by_combination(parts):
+    """{(profile, arithmetic, collapse): parts}, in that order."""
+    result = {}
+    for part in sorted(parts, key=lambda p: [p[n] for n in NAMES]):
+        result.setdefault(tuple(part[n] for n in NAMES), []).append(part)
+    return result
 
 
 def table(parts):
-    """A row for each profile, arithmetic and collapse order, and one for all."""
-    def combination(part):
-        return part["profile"], part["arithmetic"], part["collapse"]
-    rows = []
-    for profile, arithmetic, collapse in sorted({combination(p) for p in parts}):
-        own = [p for p in parts if combination(p) == (profile, arithmetic, collapse)]
-        rows.append(row(own, profile=profile, arithmetic=arithmetic, collapse=collapse))
-    return rows + [row(parts, profile="all", arithmetic="all", collapse="all")]
+    """A row for each combination, and one for all."""
+    rows = [row(own, **dict(zip(NAMES, names))) for names, own in by_combination(parts).items()]
+    return rows + [row(parts, **dict.fromkeys(NAMES, "all"))]
 
 
 def added(parts, name):
@@ -76,20 +88,18 @@ def added(parts, name):
     result = {}
     for part in parts:
         for key, count in part[name].items():
-            if isinstance(count, (int, float)):
-                result[key] = result.get(key, 0) + count
+            result[key] = result.get(key, 0) + count
     return dict(sorted(result.items()))
 
 
 def failures(parts):
-    return [{"profile": p["profile"], "arithmetic": p["arithmetic"], "collapse": p["collapse"], **f}
-            for p in parts for f in p["failures"]]
+    return [{**{n: p[n] for n in NAMES}, **f} for p in parts for f in p["failures"]]
 
 
 def disagreements(parts, merged):
     """What the program's own merged summary says otherwise than the sum of the parts."""
     total = row(parts)
-    theirs = {name: merged.get(name) for name in COUNTS}
+    theirs = {name: merged.get(name) for name in (*COUNTS, "digest")}
     theirs["failures"] = len(merged.get("failures", []))
     return [f"{name}: {total[name]} here, {theirs[name]} in the merged summary"
             for name in theirs if theirs[name] != total[name]]

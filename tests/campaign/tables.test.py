@@ -16,7 +16,9 @@ import summaries  # noqa: E402
 def summary(**changes):
     return {"version": "9.9.9", "cases": 10, "remodels": 30, "surgeries": 20, "crashes": 0,
             "hangs": 0, "refused": {"audit": 1}, "failures": [], "cpu_seconds": 4.0,
-            "digest": "1f", "by_generator": {"roll": 6, "blob": 4}, **changes}
+            "digest": "00000000000000ff", "ended_early": {"vertex # would move": 2},
+            "generators": {"roll": {"cases": 10, "remodels": 30, "surgeries": 20}},
+            "oracles": {"audit": {"checks": 40, "failures": 0}}, **changes}
 
 
 class Tables(unittest.TestCase):
@@ -76,6 +78,11 @@ class Tables(unittest.TestCase):
         with self.assertRaisesRegex(summaries.BadSummary, "PROFILE.ARITHMETIC.COLLAPSE"):
             summaries.read(path)
 
+    def test_digests_add_up_whatever_the_order_and_wrap_round(self):
+        self.plant("random.filtered.keep", 1, summary(digest="ffffffffffffffff"))
+        self.plant("random.filtered.keep", 11, summary(digest="0000000000000003"))
+        self.assertEqual(summaries.table(self.read())[-1]["digest"], "0000000000000002")
+
     def test_half_written_ranges_do_not_count(self):
         self.plant("random.filtered.keep", 1, summary())
         (self.parts / "random.filtered.keep" / "0000000011.host.77").write_text("{")
@@ -84,9 +91,10 @@ class Tables(unittest.TestCase):
     def test_a_merged_summary_that_is_not_the_sum_is_noticed(self):
         self.plant("random.filtered.keep", 1, summary())
         self.plant("random.filtered.keep", 11, summary())
-        sum_of_both = {**summary(), "cases": 20, "remodels": 60, "surgeries": 40}
+        sum_of_both = {**summary(), "cases": 20, "remodels": 60, "surgeries": 40,
+                       "digest": "00000000000001fe"}
         self.assertEqual(summaries.disagreements(self.read(), sum_of_both), [])
-        for name in ("cases", "surgeries", "crashes"):
+        for name in ("cases", "surgeries", "crashes", "digest"):
             wrong = summaries.disagreements(self.read(), {**sum_of_both, name: 7})
             self.assertEqual(len(wrong), 1)
             self.assertIn(name, wrong[0])
@@ -95,10 +103,9 @@ class Tables(unittest.TestCase):
     def test_the_conclusion_claims_nothing_where_something_was_found(self):
         clean = {"surgeries": 1000, "failures": 0, "crashes": 0, "hangs": 0}
         self.assertIn("3.0e-03", report.conclusion(clean))
-        for name in ("failures", "crashes", "hangs"):
-            said = report.conclusion({**clean, name: 2})
-            self.assertIn(f"2 {name}", said)
-            self.assertNotIn("without", said)
+        said = report.conclusion({**clean, "failures": 2, "hangs": 1})
+        self.assertIn("2 failures, of which 0 crashes and 1 hangs", said)
+        self.assertNotIn("without", said)
         self.assertNotIn("without", report.conclusion({**clean, "surgeries": 0}))
 
     def test_progress_counts_new_ranges_once(self):
@@ -106,7 +113,7 @@ class Tables(unittest.TestCase):
         watched = progress.Progress(self.folder.name, 200, "surgeries")
         self.assertTrue(watched.line().startswith("20 of 200 surgeries (10.0 %)"))
         self.plant("random.filtered.keep", 11, summary(crashes=1))
-        self.assertIn("crashes 1", watched.line())
+        self.assertIn("(crashes 1, hangs 0)", watched.line())
         self.assertTrue(watched.line().startswith("40 of 200 surgeries (20.0 %)"))
 
 
