@@ -1,5 +1,5 @@
 // Millions of near-degenerate decisions and positions against GMP: how many are wrong, by family.
-// Exits with 1 if an arithmetic that promises exact signs, or a position, is wrong.
+// Exits with 1 if one is wrong of an arithmetic that promises to be right.
 #include <fmt/core.h>
 #include <unistd.h>
 
@@ -19,7 +19,6 @@ using namespace suture::brute;
 
 namespace {
 
-constexpr const char* kPosition = "correctly rounded";  // stands where a sign has its arithmetic
 constexpr int kCasesAChunk = 5'000;  // one generator each: so results do not depend on the jobs
 
 struct Options {
@@ -28,13 +27,16 @@ struct Options {
   std::string output;
 };
 
-/// Of one question and one family; of one arithmetic too, where it is a sign that is asked for.
+/// Of one question, arithmetic and family.
 struct Row {
   std::string question, arithmetic, family;
-  std::uint64_t cases = 0, filter_failures = 0, wrong = 0;
+  std::uint64_t cases = 0, filter_failures = 0;
+  std::uint64_t wrong = 0;    ///< another sign than GMP's; not the double nearest to GMP's number
+  std::uint64_t zero = 0;     ///< of these, signs: 0 where there is a side
+  std::uint64_t far_off = 0;  ///< of these, positions: not within four doubles of the right one
   double seconds = 0, exact_seconds = 0;  ///< of the processor
   std::string first_wrong = {};
-  bool promises_exactness = true;
+  bool promises_exactness = true, is_sign = true;
 };
 
 /// What one chunk adds to a table; the same rows in the same order for every chunk of a subject.
@@ -63,6 +65,7 @@ Row judged(Row row, const std::vector<int>& signs, const std::vector<int>& right
            const std::vector<SignQuestion>& questions) {
   for (std::size_t i = 0; i < signs.size(); ++i) {
     if (signs[i] == right[i]) continue;
+    row.zero += signs[i] == 0 ? 1 : 0;
     if (row.wrong++ == 0)
       row.first_wrong = fmt::format("{} is not {}: {}", signs[i], right[i], show(questions[i]));
   }
@@ -87,30 +90,47 @@ Rows sign_rows(Decision decision, Family family, Draws& random, int cases) {
     row.seconds = answer(*oracle, signs);
     row.exact_seconds = exact_seconds;
     row.filter_failures = oracle->counts().filter_failures;
-    row.promises_exactness = arithmetic == Arithmetic::filtered;
+    row.promises_exactness = arithmetic != Arithmetic::rounded;
     rows.push_back(judged(row, signs, right, questions));
   }
   return rows;
 }
 
-/// The positions that `make` asks for, where there is one.
+bool far_apart(double x, double right) {
+  return !(nudged(right, -4) <= x && x <= nudged(right, 4));
+}
+
+/// The positions that `make` asks for, where there is one. Those of plain doubles are compared with
+/// the others, which GMP has judged.
 template <class Make>
 Rows position_rows(const char* question, const std::string& family, const Make& make, int cases) {
   std::vector<decltype(make())> questions;
   while (questions.size() < static_cast<std::size_t>(cases))
     if (const auto drawn = make(); crosses(drawn)) questions.push_back(drawn);
-  std::vector<double> answers(questions.size());
-  Row row{question, kPosition, family, questions.size()};
-  row.seconds = seconds_of([&] {
-    for (std::size_t i = 0; i < answers.size(); ++i) answers[i] = ask(questions[i]);
+  std::vector<double> right(questions.size()), plain(questions.size());
+  Row exact{question, "filtered", family, questions.size()};
+  exact.is_sign = false;
+  Row rounded = exact;
+  rounded.arithmetic = "rounded";
+  rounded.promises_exactness = false;
+  exact.seconds = seconds_of([&] {
+    for (std::size_t i = 0; i < right.size(); ++i) right[i] = ask(questions[i]);
   });
-  row.exact_seconds = seconds_of([&] {
-    for (std::size_t i = 0; i < answers.size(); ++i) {
-      const std::string text = mistake(questions[i], answers[i]);
-      if (!text.empty() && row.wrong++ == 0) row.first_wrong = text;
+  rounded.seconds = seconds_of([&] {
+    for (std::size_t i = 0; i < plain.size(); ++i) plain[i] = ask_rounded(questions[i]);
+  });
+  exact.exact_seconds = rounded.exact_seconds = seconds_of([&] {
+    for (std::size_t i = 0; i < right.size(); ++i) {
+      const std::string text = mistake(questions[i], right[i]);
+      if (!text.empty() && exact.wrong++ == 0) exact.first_wrong = text;
     }
   });
-  return {row};
+  for (std::size_t i = 0; i < right.size(); ++i) {
+    if (plain[i] == right[i]) continue;
+    ++rounded.wrong;
+    rounded.far_off += far_apart(plain[i], right[i]) ? 1 : 0;
+  }
+  return {rounded, exact};
 }
 
 std::vector<Subject> subjects() {
@@ -147,6 +167,8 @@ void add(Rows& to, const Rows& chunk) {
     to[i].cases += chunk[i].cases;
     to[i].filter_failures += chunk[i].filter_failures;
     to[i].wrong += chunk[i].wrong;
+    to[i].zero += chunk[i].zero;
+    to[i].far_off += chunk[i].far_off;
     to[i].seconds += chunk[i].seconds;
     to[i].exact_seconds += chunk[i].exact_seconds;
   }
@@ -185,16 +207,18 @@ void run(std::vector<Subject>& all, const Options& options) {
 
 std::string csv(const std::vector<Subject>& all) {
   std::string text =
-      "question,arithmetic,family,cases,filter_failures,wrong,ns_a_call,ns_a_call_exact\n";
+      "question,arithmetic,family,cases,filter_failures,wrong,of_these_zero,of_these_far_off,"
+      "ns_a_call,ns_a_call_of_gmp\n";
+  const auto where = [](bool known, std::uint64_t count) {
+    return known ? std::to_string(count) : std::string();
+  };
   for (const Subject& subject : all)
-    for (const Row& row : subject.rows) {
-      const bool position = row.arithmetic == kPosition;
-      text +=
-          fmt::format("{},{},{},{},{},{},{:.0f},{:.0f}\n", row.question, row.arithmetic, row.family,
-                      row.cases, position ? std::string() : std::to_string(row.filter_failures),
-                      row.wrong, 1e9 * row.seconds / static_cast<double>(row.cases),
-                      1e9 * row.exact_seconds / static_cast<double>(row.cases));
-    }
+    for (const Row& row : subject.rows)
+      text += fmt::format("{},{},{},{},{},{},{},{},{:.0f},{:.0f}\n", row.question, row.arithmetic,
+                          row.family, row.cases, where(row.is_sign, row.filter_failures), row.wrong,
+                          where(row.is_sign, row.zero), where(!row.is_sign, row.far_off),
+                          1e9 * row.seconds / static_cast<double>(row.cases),
+                          1e9 * row.exact_seconds / static_cast<double>(row.cases));
   return text;
 }
 
@@ -215,7 +239,7 @@ void summarize(const std::vector<Subject>& all) {
   double seconds = 0;
   for (const Subject& subject : all) {
     const Row& row = subject.rows.front();
-    (row.arithmetic == kPosition ? positions : signs) += row.cases;
+    (row.is_sign ? signs : positions) += row.cases;
     seconds += row.exact_seconds;
     for (const Row& each : subject.rows) seconds += each.seconds;
   }

@@ -59,6 +59,14 @@ inline double ask(const TriangleQuestion& t) {
   return on_triangle(t.points[0], t.points[1], t.points[2], t.axis, t.points[3]);
 }
 
+/// The same of plain doubles.
+inline double ask_rounded(const EdgeQuestion& e) {
+  return rounded_on_edge(e.p, e.q, e.axis, e.plane, e.want);
+}
+inline double ask_rounded(const TriangleQuestion& t) {
+  return rounded_on_triangle(t.points[0], t.points[1], t.points[2], t.axis, t.points[3]);
+}
+
 inline bool crosses(const EdgeQuestion& e) { return e.p[e.axis] != e.q[e.axis]; }
 
 inline mpq_class twice_area(const Point& a, const Point& b, const Point& c, int axis) {
