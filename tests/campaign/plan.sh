@@ -8,7 +8,7 @@ folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
 cat >"$folder/settings.json" <<'END'
 {"cases": 0, "range": 200, "first_seed": 1, "profiles": ["random", "hostile"], "nice": 0,
- "arithmetics": ["filtered"], "collapses": ["keep"], "range_hours": 1}
+ "arithmetics": ["filtered"], "collapses": ["keep"], "range_hours": 1, "mem_mb": 100, "fuzz_options": ""}
 END
 
 # plan CASES: the summaries that would be made, one a line.
