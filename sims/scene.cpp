@@ -32,6 +32,8 @@ TomlTable table(const TomlTable& scene, const std::string& name) {
   return {Keys({}, name, scene.where), {}, {}, {}, scene.where};
 }
 
+}  // namespace
+
 QualityOptions read_quality(Keys keys) {
   QualityOptions q;
   q.edge_length = keys.number("edge_length", Range::at_least(0), q.edge_length);
@@ -48,6 +50,8 @@ QualityOptions read_quality(Keys keys) {
   keys.done();
   return q;
 }
+
+namespace {
 
 /// Edges are subdivided until they are short enough, however many triangles that makes.
 void require_affordable(const Scene& scene, const TomlTable& toml) {
@@ -69,6 +73,8 @@ void require_affordable(const Scene& scene, const TomlTable& toml) {
                                edge, triangles, kMostTriangles));
 }
 
+}  // namespace
+
 TrackerOptions read_tracker(Keys keys) {
   TrackerOptions t;
   t.cell_size = keys.number("cell_size", Range::above(0));
@@ -84,6 +90,8 @@ TrackerOptions read_tracker(Keys keys) {
   keys.done();
   return t;
 }
+
+namespace {
 
 TimeOptions read_time(Keys keys) {
   TimeOptions t;

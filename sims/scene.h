@@ -65,4 +65,8 @@ struct Scene {
 /// type, out of range, or missing; and for a body that is not a closed oriented manifold
 Scene read_scene(const std::filesystem::path& file);
 
+/// The tables [tracker] and [quality], which may hold nothing else. \throw InvalidInput likewise
+TrackerOptions read_tracker(Keys keys);
+QualityOptions read_quality(Keys keys);
+
 }  // namespace suture

@@ -188,6 +188,7 @@ void attempt(Surface& surface, const Detected& d, const TrackerOptions& options,
       if (report.failure.empty()) {
         surface = std::move(adopted.surface);
         report.vertex_map = std::move(adopted.vertex_map);
+        report.region = d.region.cells.keys();
         report.outcome = Outcome::committed;
         return;
       }

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "kernel/lattice.h"
 #include "kernel/triangles.h"
 #include "predicates/oracle.h"
 
@@ -58,6 +59,8 @@ struct SurgeryReport {
 
   std::vector<std::pair<std::string, double>> seconds;  ///< per stage, in order
   std::vector<std::uint32_t> vertex_map;  ///< old vertex → new one, or kNone where it went
+  std::vector<LatticeId>
+      region;  ///< the cells re-sampled, in the lattice of the surface before (surgery_check.h)
 };
 
 struct QualityReport {
