@@ -249,7 +249,9 @@ def run(chosen):
     freeze_program(chosen.output, chosen.program)
     report.write(chosen.output / "settings.json", json.dumps(settings, indent=1))
     done = campaign(chosen, settings, lock)
-    result = tell(chosen.output, report.report(chosen.output))
+    result = FINISHED
+    if done or summaries.paths(chosen.output / "parts"):
+        result = tell(chosen.output, report.report(chosen.output))
     if done is None:
         print("stopped; the same command goes on")
         return STOPPED
