@@ -8,6 +8,7 @@
 #include "kernel/audit.h"
 #include "kernel/errors.h"
 #include "kernel/mesh_io.h"
+#include "predicates/floating_point.h"
 #include "surgery/advect.h"
 #include "surgery/budget.h"
 #include "surgery/quality.h"
@@ -131,6 +132,7 @@ void Tracker::displace(std::vector<Point> positions, double dt) {
 SurfaceDistance Tracker::distance() const { return SurfaceDistance(surface(), state_->options); }
 
 SurgeryReport Tracker::remodel(Trace* trace) {
+  require_ieee_arithmetic();  // of this thread, which need not be the one that made the tracker
   SurgeryReport report = remodel_in_unit(state_->surface, state_->options, *state_->oracle, trace);
   ++state_->remodels;
   if (report.outcome == Outcome::refused && !state_->options.reproducers.empty()) {
@@ -145,6 +147,7 @@ SurgeryReport Tracker::remodel(Trace* trace) {
 
 QualityReport Tracker::improve(Trace* trace) {
   if (surface().triangles.empty()) return {};
+  require_ieee_arithmetic();
   Stopwatch watch;
   QualityOptions options = state_->options.quality;
   if (options.edge_length == 0) options.edge_length = state_->options.cell_size;

@@ -44,7 +44,8 @@ class Tracker {
   SurfaceDistance distance() const;
 
   /// Finds where topology should change and re-samples the surface there, and only there [§5, §6].
-  /// \throw InvalidInput if the surface now crosses the lattice too often for the memory
+  /// \throw InvalidInput if the surface now crosses the lattice too often for the memory, or this
+  /// thread rounds other than to nearest or flushes subnormal numbers
   SurgeryReport remodel(Trace* trace = nullptr);
 
   /// Subdivides, collapses and flips until edges and angles are as options().quality asks [§6.2].
