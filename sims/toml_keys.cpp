@@ -76,11 +76,9 @@ void TomlTable::allow_tables(const std::vector<std::string>& known) const {
   }
 }
 
-TomlTable read_toml(const std::filesystem::path& file) {
-  if (!std::filesystem::is_regular_file(file))
-    throw InvalidInput(file.string() + ": there is no such file; give a scene's path");
+TomlTable parse_toml(const std::string& text, const std::filesystem::path& file) {
   try {
-    const toml::table parsed = toml::parse_file(file.string());
+    const toml::table parsed = toml::parse(text, file.string());
     return Converter(file.string()).table(parsed, "");
   } catch (const toml::parse_error& error) {
     throw InvalidInput(
