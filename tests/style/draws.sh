@@ -5,7 +5,7 @@ source "$(dirname "$0")/common.sh"
 
 check() {
   (cd "$1" && sources . kernel predicates surgery sims tests | xargs -r -d '\n' awk '
-    /\((double\()?(random_?|dice)\.[a-z_]+\([^()]*\)\)?, *(double\()?(random_?|dice)\.[a-z_]+\(/ {
+    /\((random_?|dice)\.[a-z_]+\([^()]*\), *(random_?|dice)\.[a-z_]+\(/ {
       print FILENAME ":" FNR ": two draws in one call; use braces, or name them first" }')
 }
 
