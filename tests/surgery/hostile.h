@@ -55,10 +55,10 @@ class HostileCases {
   }
 
   Triangles placed(Triangles body, double cell) {
-    if (random_.below(2) == 0)
-      body = rotated(std::move(body),
-                     Point{random_.uniform(-1, 1), random_.uniform(-1, 1), random_.uniform(0.1, 1)},
-                     random_.uniform(0, 6.28));
+    if (random_.below(2) == 0) {  // one draw after another: the order of arguments is not defined
+      const Point axis{random_.uniform(-1, 1), random_.uniform(-1, 1), random_.uniform(0.1, 1)};
+      body = rotated(std::move(body), axis, random_.uniform(0, 6.28));
+    }
     if (random_.below(4) == 0)
       body = scaled(std::move(body),
                     Point{random_.uniform(0.01, 1.5), random_.uniform(0.2, 1.5), 1.0});
