@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <cstdlib>
 #include <numbers>
 
@@ -57,8 +58,10 @@ Triangles shape(const std::string& key, TomlTable& body, const SceneSources& sou
 /// Turned by `degrees` about the axis that the key `about` gives, z by default.
 Triangles turned(Triangles surface, Keys& keys, const std::string& about, double degrees) {
   const Point axis = keys.vector(about, Point::UnitZ());
-  if (!(axis.norm() > 0)) keys.refuse(about, "has no direction");
-  return rotated(std::move(surface), axis, degrees * std::numbers::pi / 180);
+  const double length = axis.stableNorm();
+  if (!(length > 0 && std::isfinite(length)))
+    keys.refuse(about, "has no direction, or is too long; give one such as [0, 0, 1]");
+  return rotated(std::move(surface), axis, degrees * (std::numbers::pi / 180));
 }
 
 struct Source {
@@ -128,6 +131,7 @@ std::vector<Point> scattered(Keys& keys, std::int64_t copies) {
   for (std::int64_t i = 0; i < copies; ++i) {
     Point place;
     for (int axis = 0; axis < 3; ++axis) place[axis] = random.uniform(low[axis], high[axis]);
+    if (!place.allFinite()) keys.refuse("scatter_high", "is too far from scatter_low");
     places.push_back(place);
   }
   return places;
@@ -155,6 +159,9 @@ void read_body(TomlTable& body, const fs::path& folder, const SceneSources& sour
   std::vector<Triangles> all = {std::move(bodies.surface)};
   for (const Point& place : places) all.push_back(translated(source.surface, place));
   bodies.surface = merged(all);
+  for (const Point& p : bodies.surface.positions)
+    if (!p.allFinite())
+      keys.refuse("translate", "scale and scatter take the body beyond what a double can hold");
   bodies.velocities.resize(bodies.surface.positions.size(), velocity);
 }
 

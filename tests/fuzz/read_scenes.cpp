@@ -15,8 +15,8 @@ namespace {
 constexpr double kMostPartsALength = 4;  // edges along a shape's lengths: some 500 triangles
 constexpr double kMostTrianglesHere = 20'000;
 
-void require(bool holds, const char* what) {
-  if (!holds) throw Finding(std::string("scene: ") + what);
+void require(bool holds, const std::string& what) {
+  if (!holds) throw Finding("scene: " + what);
 }
 
 /// Whether the shape's area, and so its resolution, follows from any one of its lengths: then far
@@ -83,8 +83,8 @@ void read_scene_text(std::string_view bytes) {
   try {
     require_runnable(parse_scene(std::string(bytes), "scenes/fuzzed.toml", sources()));
   } catch (const InvalidInput& refusal) {
-    require(std::string_view(refusal.what()).starts_with("scenes/"),
-            "a refusal does not name the file");
+    const std::string said = refusal.what();
+    require(said.starts_with("scenes/"), "a refusal does not name the file: " + said);
   }
 }
 

@@ -12,12 +12,16 @@ struct Golden {
 
 // clang-format off
 inline constexpr Golden kGolden[] = {
+    {"straighten distance_field rounded", 0xf5ca6f9f41568fb1ULL},
     {"straighten distance_field filtered", 0x310808e7be5bab87ULL},
     {"straighten distance_field rational", 0x310808e7be5bab87ULL},
+    {"straighten crossing rounded", 0xfdcd7fcd95c3ff27ULL},
     {"straighten crossing filtered", 0x4ae296aa689a716cULL},
     {"straighten crossing rational", 0x4ae296aa689a716cULL},
+    {"keep distance_field rounded", 0xd990d2f10d95f165ULL},
     {"keep distance_field filtered", 0x8403e918fb839767ULL},
     {"keep distance_field rational", 0x8403e918fb839767ULL},
+    {"keep crossing rounded", 0xf0695e24ad5fa9fcULL},
     {"keep crossing filtered", 0x17918043de5d28f0ULL},
     {"keep crossing rational", 0x17918043de5d28f0ULL},
     {"events merge deep", 0x4ae296aa689a716cULL},
