@@ -17,8 +17,14 @@ double on_edge(const Point& p, const Point& q, int axis, double plane, int want)
 /// \throw InternalFailure where that fails and no coordinate can be given
 double on_triangle(const Point& a, const Point& b, const Point& c, int axis, const Point& through);
 
+/// The same two by a few operations of plain doubles, as the paper's authors had: off by some bits,
+/// by any amount near parallel, NaN where it divides by zero (which clamp_to_cell takes).
+double rounded_on_edge(const Point& p, const Point& q, int axis, double plane, int want);
+double rounded_on_triangle(const Point& a, const Point& b, const Point& c, int axis,
+                           const Point& through);
+
 /// x, or the nearest double in (low, high] if it is outside: the doubles that cell_of gives to that
-/// cell.
+/// cell. NaN gives `high`.
 double clamp_to_cell(double x, double low, double high);
 
 }  // namespace suture

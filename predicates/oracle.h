@@ -9,7 +9,11 @@
 
 namespace suture {
 
-enum class Arithmetic { filtered, rational };
+enum class Arithmetic {
+  rounded,  ///< plain doubles, as the paper's authors had: may be wrong, and then the audit refuses
+  filtered,  ///< exact: doubles where a proven bound allows, longer numbers elsewhere
+  rational   ///< exact and slow: the independent twin
+};
 
 /// How often each decision was asked, and how often its floating-point filter could not decide.
 struct OracleCounts {
@@ -50,6 +54,10 @@ class Oracle {
  protected:
   mutable OracleCounts counts_;
 };
+
+/// The rounded value of each determinant, believed: a computed zero is answered as 0 (on neither
+/// side), and nothing is shifted. Never asked for more, so its cost is the least there is.
+std::unique_ptr<Oracle> make_rounded_oracle();
 
 /// Floating-point filter with a proven error bound, exact where it cannot decide. The default.
 std::unique_ptr<Oracle> make_filtered_oracle();

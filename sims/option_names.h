@@ -18,8 +18,10 @@ inline constexpr std::array<Named<Collapse>, 2> kCollapseNames = {
     {{"straighten", Collapse::straighten}, {"keep", Collapse::keep}}};
 inline constexpr std::array<Named<Placement>, 2> kPlacementNames = {
     {{"distance_field", Placement::distance_field}, {"crossing", Placement::crossing}}};
-inline constexpr std::array<Named<Arithmetic>, 2> kArithmeticNames = {
-    {{"filtered", Arithmetic::filtered}, {"rational", Arithmetic::rational}}};
+inline constexpr std::array<Named<Arithmetic>, 3> kArithmeticNames = {
+    {{"rounded", Arithmetic::rounded},
+     {"filtered", Arithmetic::filtered},
+     {"rational", Arithmetic::rational}}};
 inline constexpr std::array<Named<Subdivision>, 2> kSubdivisionNames = {
     {{"midpoint", Subdivision::midpoint}, {"curved", Subdivision::curved}}};
 

@@ -79,6 +79,7 @@ TrackerOptions read_tracker(Keys keys) {
   t.collapse = keys.choice("collapse", kCollapseNames, t.collapse);
   t.placement = keys.choice("placement", kPlacementNames, t.placement);
   t.arithmetic = keys.choice("arithmetic", kArithmeticNames, t.arithmetic);
+  t.jitter = keys.number("jitter", Range::between(0, 0.1), t.jitter);
   t.straighten_turn = keys.number("straighten_turn", Range::between(0, 180), t.straighten_turn);
   keys.done();
   return t;

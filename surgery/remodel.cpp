@@ -18,6 +18,7 @@
 #include "surgery/deep_cells.h"
 #include "surgery/fill.h"
 #include "surgery/invariance.h"
+#include "surgery/jitter.h"
 #include "surgery/placement.h"
 #include "surgery/region.h"
 #include "surgery/stitch.h"
@@ -78,7 +79,7 @@ struct Candidate {
 Candidate operate(const Surface& surface, const Detected& d, Pieces pieces,
                   const TrackerOptions& options, const Oracle& oracle, SurgeryReport& report,
                   StageClock& clock) {
-  Sites sites(d.mesh, d.lattice, d.crossings, d.winding, d.region);
+  Sites sites(d.mesh, d.lattice, d.crossings, d.winding, d.region, options.arithmetic);
   const CutMesh cut_mesh = cut({d.mesh, d.lattice, oracle, d.crossings, d.region}, pieces, sites);
   clock.ended("cut");
   const std::vector<Arc> arcs = gather_arcs(cut_mesh, d.region, d.winding, sites);
@@ -166,15 +167,23 @@ std::string objection(const Surface& before, const Adopted& after, const Detecte
   return {};
 }
 
+/// What the audit's winding test asks: exact even where the surgery was not, since what it judges
+/// lies on the lattice's planes and lines, where plain doubles fail. Null: the surgery's own will
+/// do.
+std::unique_ptr<Oracle> judge_for(const TrackerOptions& options) {
+  return options.arithmetic == Arithmetic::rounded ? make_filtered_oracle() : nullptr;
+}
+
 /// Merged pieces first; if the audit ever objects, once more cell by cell; then refusal.
 void attempt(Surface& surface, const Detected& d, const TrackerOptions& options,
              const Oracle& oracle, SurgeryReport& report, StageClock& clock) {
+  const std::unique_ptr<Oracle> judge = judge_for(options);
   for (const Pieces pieces : {Pieces::merged, Pieces::cell_by_cell}) {
     try {
       Candidate candidate = operate(surface, d, pieces, options, oracle, report, clock);
       Adopted adopted = adopt(std::move(candidate.mesh), candidate.origins);
       adopted.vertex_map.resize(surface.triangles.positions.size(), kNone);
-      report.failure = objection(surface, adopted, d, oracle);
+      report.failure = objection(surface, adopted, d, judge ? *judge : oracle);
       clock.ended("audit");
       if (report.failure.empty()) {
         surface = std::move(adopted.surface);
@@ -260,13 +269,11 @@ bool operate_on_one_of_each(Surface& surface, const std::vector<std::uint32_t>& 
   return true;
 }
 
-}  // namespace
-
-SurgeryReport remodel(Surface& surface, const TrackerOptions& options, const Oracle& oracle,
-                      Trace* trace) {
+/// \pre not empty
+SurgeryReport remodel_as_it_is(Surface& surface, const TrackerOptions& options,
+                               const Oracle& oracle, Trace* trace) {
   SurgeryReport report;
   const std::size_t vertices = surface.triangles.positions.size();
-  if (surface.triangles.triangles.empty()) return report;  // all of the material has gone
   StageClock clock(report, trace);
   const Components bodies = measure_before(surface, report);
   clock.ended("measure");
@@ -292,6 +299,18 @@ SurgeryReport remodel(Surface& surface, const TrackerOptions& options, const Ora
   } else {
     report.vertex_map = identity(vertices);
   }
+  return report;
+}
+
+}  // namespace
+
+SurgeryReport remodel(Surface& surface, const TrackerOptions& options, const Oracle& oracle,
+                      Trace* trace) {
+  if (surface.triangles.triangles.empty()) return {};  // all of the material has gone
+  if (!jitters(options)) return remodel_as_it_is(surface, options, oracle, trace);
+  Surface moved = jittered(surface, options);
+  SurgeryReport report = remodel_as_it_is(moved, options, oracle, trace);
+  if (report.outcome == Outcome::committed) surface = std::move(moved);
   return report;
 }
 

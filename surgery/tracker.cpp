@@ -28,6 +28,8 @@ void require_in_range(const TrackerOptions& o) {
   if (!o.origin.allFinite()) throw InvalidInput("the lattice's origin must be finite");
   if (!(o.straighten_turn >= 0 && o.straighten_turn <= 180))
     throw InvalidInput("straighten_turn must be 0 to 180 degrees");
+  if (!(o.jitter >= 0 && o.jitter <= 0.1))
+    throw InvalidInput("jitter is " + std::to_string(o.jitter) + "; it must be 0 to 0.1 of a cell");
   const QualityOptions& q = o.quality;
   const bool lengths = q.edge_length >= 0 && q.shortest >= 0 && q.longest > q.shortest &&
                        std::isfinite(q.edge_length) && std::isfinite(q.longest);

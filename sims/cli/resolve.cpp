@@ -184,7 +184,11 @@ void add_resolve(CLI::App& app, int& exit) {
   add_choice(*command, "--cell-test", s->tracker.cell_test, kCellTestNames,
              "Cells to re-sample: deep (the default) or plain");
   add_choice(*command, "--arithmetic", s->tracker.arithmetic, kArithmeticNames,
-             "Exact predicates: filtered (the default) or rational (slow)");
+             "Signs: filtered (exact, the default), rational (exact, slow) or rounded (may fail)");
+  command
+      ->add_option("--jitter", s->tracker.jitter,
+                   "With --arithmetic rounded: move vertices by up to this part of a cell")
+      ->type_name("X");
   command->add_option("--depth", s->tracker.depth, "Cells between a deep cell and the isosurface")
       ->type_name("N");
   command->add_option("--origin", s->origin, "A node of the lattice: X Y Z")

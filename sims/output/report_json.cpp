@@ -133,6 +133,7 @@ json to_json(const TrackerOptions& t) {
           {"collapse", name_of(t.collapse, kCollapseNames)},
           {"placement", name_of(t.placement, kPlacementNames)},
           {"arithmetic", name_of(t.arithmetic, kArithmeticNames)},
+          {"jitter", t.jitter},
           {"straighten_turn", t.straighten_turn},
           {"quality", to_json(t.quality)}};
 }
