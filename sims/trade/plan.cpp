@@ -158,43 +158,63 @@ Factor read_factor(const std::string& text, const Settings& own) {
   return factor;
 }
 
-std::vector<std::string> default_spokes(const Settings& own) {
-  std::vector<std::string> all = {all_but(own, "arithmetic", kArithmeticNames),
-                                  all_but(own, "collapse", kCollapseNames),
-                                  all_but(own, "placement", kPlacementNames),
-                                  "cell_size=x0.5,x2",
-                                  "resolution=x0.7,x1.4,x2",
-                                  "step=x0.5,x2,x4",
-                                  "remodel_every=x2,x5,x10"};
-  if (text_of(setting(own, "improve_every").value) == "0") return all;
-  for (const std::string& improvement :
-       {std::string("edge_length=x0.7,x1.4"), all_but(own, "subdivision", kSubdivisionNames),
-        std::string("improve_every=0,x5"), std::string("passes=1"),
-        std::string("volume_bound=x0.1,x10"), std::string("smallest_angle=5,25"),
-        std::string("largest_angle=130,170")})
-    all.push_back(improvement);
-  return all;
+std::vector<Design> designs_of(const std::vector<std::string>& factors, const Settings& own,
+                               const DesignChoice& choice) {
+  Design grid{"grid", {}};
+  for (const std::string& text : factors) {
+    grid.factors.push_back(read_factor(text, own));
+    for (std::size_t i = 0; i + 1 < grid.factors.size(); ++i)
+      if (grid.factors[i].settings == grid.factors.back().settings)
+        throw InvalidInput("factor " + grid.factors[i].name +
+                           " is given twice; give all its values at once");
+  }
+  std::vector<Design> designs;
+  if (choice.one)
+    for (const Factor& factor : grid.factors) designs.push_back({factor.name, {factor}});
+  if (choice.grid) designs.push_back(std::move(grid));
+  return designs;
 }
 
-std::vector<std::string> default_grid() {
-  return {"resolution=x1,x1.4,x2", "step=x1,x2,x4", "remodel_every=x1,x5"};
+std::vector<Design> default_designs(const Settings& own, const DesignChoice& choice) {
+  std::vector<std::string> alone = {all_but(own, "arithmetic", kArithmeticNames),
+                                    all_but(own, "collapse", kCollapseNames),
+                                    all_but(own, "placement", kPlacementNames),
+                                    "cell_size=x0.5,x2",
+                                    "resolution=x0.7,x1.4,x2",
+                                    "step=x0.5,x2,x4",
+                                    "remodel_every=x2,x5,x10"};
+  if (text_of(setting(own, "improve_every").value) != "0")
+    for (const std::string& improvement :
+         {std::string("edge_length=x0.7,x1.4"), all_but(own, "subdivision", kSubdivisionNames),
+          std::string("improve_every=0,x5"), std::string("passes=1"),
+          std::string("volume_bound=x0.1,x10"), std::string("smallest_angle=5,25"),
+          std::string("largest_angle=130,170")})
+      alone.push_back(improvement);
+  std::vector<Design> designs;
+  if (choice.one) {
+    designs = designs_of(alone, own, {.one = true, .grid = false});
+    designs.push_back(
+        {"arithmetic", {read_factor("arithmetic=rounded", own), read_factor("jitter=0", own)}});
+  }
+  if (choice.grid)
+    designs.push_back(designs_of({"resolution=x1,x1.4,x2", "step=x1,x2,x4", "remodel_every=x1,x5"},
+                                 own, {.one = false, .grid = true})
+                          .front());
+  return designs;
 }
 
-std::vector<PlannedRun> plan(const Settings& own, const std::vector<Factor>& spokes,
-                             const std::vector<Factor>& grid) {
+std::vector<PlannedRun> plan(const Settings& own, const std::vector<Design>& designs) {
   Plan plan(own);
   plan.add({}, "own");
-  for (const Factor& factor : spokes)
-    for (std::size_t i = 0; i < factor.levels.size(); ++i)
-      plan.add(combined(own, {factor}, {i}), factor.name);
-  if (grid.empty()) return plan.take();
-  std::vector<std::size_t> choice(grid.size(), 0);
-  for (bool more = true; more;) {
-    plan.add(combined(own, grid, choice), "grid");
-    more = false;
-    for (std::size_t i = grid.size(); i-- > 0 && !more;) {
-      more = ++choice[i] < grid[i].levels.size();
-      if (!more) choice[i] = 0;
+  for (const Design& design : designs) {
+    std::vector<std::size_t> choice(design.factors.size(), 0);
+    for (bool more = !choice.empty(); more;) {
+      plan.add(combined(own, design.factors, choice), design.name);
+      more = false;
+      for (std::size_t i = choice.size(); i-- > 0 && !more;) {
+        more = ++choice[i] < design.factors[i].levels.size();
+        if (!more) choice[i] = 0;
+      }
     }
   }
   return plan.take();

@@ -22,24 +22,38 @@ struct Factor {
 /// \throw InvalidInput for an unknown factor, no levels, or a multiple of what is no number
 Factor read_factor(const std::string& text, const Settings& own);
 
-/// What is varied where the user does not say, in that notation: one at a time, and as a grid.
-std::vector<std::string> default_spokes(const Settings& own);
-std::vector<std::string> default_grid();
+/// Factors whose levels are all combined with one another.
+struct Design {
+  std::string name;  ///< "grid", or of the one factor that is varied
+  std::vector<Factor> factors;
+};
+
+/// The designs that these factors make: each alone, and all as one grid, as asked for. 	hrow
+/// InvalidInput as read_factor, and if one is given twice
+struct DesignChoice {
+  bool one = true, grid = true;
+};
+std::vector<Design> designs_of(const std::vector<std::string>& factors, const Settings& own,
+                               const DesignChoice& choice);
+
+/// What is varied where the user does not say: each choice alone, which tells what it costs, and a
+/// grid of the three resolutions (space, time, topology), which change the cost most and depend on
+/// one another. A product of everything would be 10⁹ runs.
+std::vector<Design> default_designs(const Settings& own, const DesignChoice& choice);
 
 struct PlannedRun {
   SceneChanges changes;  ///< only what differs from the scene
-  std::string design;    ///< "own", "grid", or the name of the one factor that is varied
+  std::string design;    ///< "own", or the design's name
 };
 
 /// x to six digits, as a person would write it.
 double rounded_for_people(double x);
 
-/// The scene's own run, each level of the spokes alone, and the product of the grid; each once. A
+/// The scene's own run and those of the designs, each once. A
 /// factor `step` changes remodel_every and improve_every too, so that what lies between two of them
 /// stays the same time as nearly as whole steps allow, unless they are factors of that run.
 /// \throw InvalidInput if these are more than kMostRuns
-std::vector<PlannedRun> plan(const Settings& own, const std::vector<Factor>& spokes,
-                             const std::vector<Factor>& grid);
+std::vector<PlannedRun> plan(const Settings& own, const std::vector<Design>& designs);
 inline constexpr std::size_t kMostRuns = 10000;  // beyond it a product of levels is surely a slip
 
 }  // namespace suture

@@ -5,8 +5,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <map>
+#include <sstream>
 
 #include "kernel/errors.h"
 #include "kernel/files.h"
@@ -28,6 +28,22 @@ std::string quoted(const std::string& text) {
   return out + "'";
 }
 
+/// Text as quoted lines of at most so many letters, where words are that short.
+std::string wrapped(const std::string& text, std::size_t most) {
+  std::string out, line;
+  std::istringstream words(text);
+  for (std::string word; words >> word;) {
+    if (!line.empty() && line.size() + 1 + word.size() > most) {
+      out += line + "\\n";
+      line.clear();
+    }
+    line += (line.empty() ? "" : " ") + word;
+  }
+  std::string safe;
+  for (const char c : out + line) safe += c == '"' ? std::string("''") : std::string(1, c);
+  return "\"" + safe + "\"";
+}
+
 /// The groups that have a mark of their own: the scene's own run, each factor, the grid.
 std::vector<std::string> groups_of(const std::vector<Row>& rows) {
   std::vector<std::string> groups = {"own"};
@@ -41,10 +57,10 @@ std::vector<std::string> groups_of(const std::vector<Row>& rows) {
 std::string style_of(std::size_t group, std::size_t groups) {
   static constexpr const char* colours[] = {"#1f77b4", "#ff7f0e", "#2ca02c", "#9467bd", "#8c564b",
                                             "#e377c2", "#17becf", "#bcbd22", "#003f5c", "#ffa600"};
-  static constexpr int marks[] = {5, 7, 9, 11, 13};
+  static constexpr int marks[] = {5, 7, 9, 13, 15, 12, 4};
   if (group == 0) return "pt 3 ps 2.2 lw 2.5 lc rgb '#000000'";
   if (group + 1 == groups) return "pt 6 ps 1.0 lw 1.5 lc rgb '#888888'";
-  return fmt::format("pt {} ps 1.3 lc rgb '{}'", marks[(group - 1) % 5], colours[(group - 1) % 10]);
+  return fmt::format("pt {} ps 1.3 lc rgb '{}'", marks[(group - 1) % 7], colours[(group - 1) % 10]);
 }
 
 using Series = std::map<std::string, std::string>;  // name → lines "x y label"
@@ -59,18 +75,31 @@ struct Panel {
 struct Span {
   double low = std::numeric_limits<double>::infinity(), high = 0;
 
+  Span() = default;
   Span(const std::vector<Row>& rows, const Criterion& c, double cell) {
-    for (const Row& row : rows)
-      if (const double x = c.of(row, cell); x > 0 && std::isfinite(x)) {
-        low = std::min(low, x);
-        high = std::max(high, x);
-      }
+    for (const Row& row : rows) take(c.of(row, cell));
     if (high == 0) low = high = 1;
   }
+  void take(double x) {
+    if (!(x > 0 && std::isfinite(x))) return;
+    low = std::min(low, x);
+    high = std::max(high, x);
+  }
   double shown(double x) const { return x > 0 ? x : low; }
-  std::string range(const char* axis) const {
+  /// Commands for the axis: its range with a margin, and tics at 1, 2 and 5.
+  std::string axis(const char* name) const {
     const double margin = std::max(1.15, std::pow(high / low, 0.07));
-    return fmt::format("set {}range [{:.9g}:{:.9g}]\n", axis, low / margin, high * margin);
+    std::string tics;
+    const int last = static_cast<int>(std::floor(std::log10(high * margin)));
+    for (int power = static_cast<int>(std::floor(std::log10(low / margin))); power <= last; ++power)
+      for (const int digit : {1, 2, 5})
+        tics += fmt::format("{}{}e{}", tics.empty() ? "" : ",", digit, power);
+    return fmt::format("set {0}range [{1:.9g}:{2:.9g}]\nset {0}tics ({3})\n", name, low / margin,
+                       high * margin, tics);
+  }
+  /// Where x lies between the ends, 0 to 1.
+  double place(double x) const {
+    return high > low ? std::log(shown(x) / low) / std::log(high / low) : 0;
   }
 };
 
@@ -78,7 +107,7 @@ Panel panel_of(const std::vector<Row>& rows, const Criterion& error, const Crite
                double cell) {
   Panel panel;
   const Span errors(rows, error, cell), costs(rows, cost, cell);
-  panel.ranges = costs.range("x") + errors.range("y");
+  panel.ranges = costs.axis("x") + errors.axis("y");
   const auto point = [&](const Row& row) {
     return fmt::format("{:.9g} {:.9g} {}\n", costs.shown(cost.of(row, cell)),
                        errors.shown(error.of(row, cell)), row.run);
@@ -93,8 +122,16 @@ Panel panel_of(const std::vector<Row>& rows, const Criterion& error, const Crite
           fmt::format("{:.9g} {:.9g} {}\n", costs.shown(c), errors.high, row.run);
     }
   }
-  for (const std::size_t i : pareto_front(rows, error, cost))
+  double x = -1, y = -1;  // of the last number that was written: they are not to cover one another
+  for (const std::size_t i : pareto_front(rows, error, cost)) {
     panel.series["front"] += point(rows[i]);
+    const double next_x = costs.place(cost.of(rows[i], cell)),
+                 next_y = errors.place(error.of(rows[i], cell));
+    if (std::abs(next_x - x) < 0.06 && std::abs(next_y - y) < 0.05) continue;
+    panel.series["numbers"] += point(rows[i]);
+    x = next_x;
+    y = next_y;
+  }
   return panel;
 }
 
@@ -114,7 +151,7 @@ std::string draw_panel(const Panel& panel, const Criterion& error, const Criteri
   add("wrong", "using 1:2 with points pt 10 ps 1.5 lw 2 lc rgb '#cc0000' notitle");
   add("failed", "using 1:2 with points pt 2 ps 1.6 lw 3 lc rgb '#cc0000' notitle");
   add("lost", "using 1:2 with points pt 1 ps 2 lw 3 lc rgb '#cc0000' notitle");
-  add("front", "using 1:2:3 with labels offset 0.6,0.6 left font ',9' tc rgb '#cc0000' notitle");
+  add("numbers", "using 1:2:3 with labels offset 0.6,0.6 left font ',9' tc rgb '#cc0000' notitle");
   return blocks + panel.ranges +
          fmt::format("set xlabel {}\nset ylabel {}\n",
                      quoted(fmt::format("{} ({})", cost.name, cost.unit)),
@@ -128,10 +165,10 @@ std::string draw_legend(const std::vector<std::string>& groups, const std::strin
   std::string out =
       "unset logscale; unset border; unset tics; unset xlabel; unset ylabel; unset grid\n"
       "set xrange [0:1]; set yrange [0:1]\n"
-      "set key at graph 0.02,0.99 left top Left reverse samplen 1.5 spacing 1.15 maxrows 12 "
-      "font ',11'\n";
-  out += "set label 1 " + quoted("Errors are against " + reference) +
-         " at graph 0.02,0.02 left font ',9'\n";
+      "set key at graph 0.02,0.99 left top Left reverse vertical samplen 1.5 spacing 0.95 "
+      "font ',10'\n";
+  out += "set label 1 " + wrapped("Errors are against " + reference, 44) +
+         " at graph 0.52,0.97 left font ',10'\n";
   std::string plots = "plot";
   const auto entry = [&](const std::string& title, const std::string& with) {
     plots += fmt::format("{} NaN with {} title {}", plots == "plot" ? "" : ", \\\n ", with,
@@ -142,10 +179,10 @@ std::string draw_legend(const std::vector<std::string>& groups, const std::strin
           : g + 1 == groups.size() ? "several at once (grid)"
                                    : groups[g],
           "points " + style_of(g, groups.size()));
-  entry("Pareto front, with numbers of runs", "lines lw 2.5 lc rgb '#cc0000'");
-  entry("topology not the reference''s", "points pt 10 ps 1.5 lw 2 lc rgb '#cc0000'");
+  entry("Pareto front, numbers of runs", "lines lw 2.5 lc rgb '#cc0000'");
+  entry("topology not the right one", "points pt 10 ps 1.5 lw 2 lc rgb '#cc0000'");
   entry("failed: surgeries were refused", "points pt 2 ps 1.6 lw 3 lc rgb '#cc0000'");
-  entry("failed: no surface (height means nothing)", "points pt 1 ps 2 lw 3 lc rgb '#cc0000'");
+  entry("failed: no surface (height is void)", "points pt 1 ps 2 lw 3 lc rgb '#cc0000'");
   return out + plots + "\nunset label 1\n";
 }
 
@@ -169,52 +206,68 @@ std::string draw_front(const std::vector<Row>& rows, const PlotOptions& options,
 }
 
 /// A choice's seconds, memory and error as multiples of the scene's own, a line each.
+struct Choices {
+  std::array<std::string, 3> points;
+  std::string tics, failed, wrong;
+  int places = 0;
+  Span span;
+
+  Choices(const std::vector<Row>& rows, const Row& own) {
+    for (const Row& row : rows) {
+      if (row.design == "own" || row.design == "grid") continue;
+      ++places;
+      tics += fmt::format("{}{} {}", tics.empty() ? "" : ", ", quoted(row.change), -places);
+      for (std::size_t i = 0; i < kShown.size(); ++i) {
+        const double ratio = kShown[i]->of(row, 1) / kShown[i]->of(own, 1);
+        if (!(ratio > 0 && std::isfinite(ratio))) continue;
+        points[i] += fmt::format("{:.6g} {}\n", ratio, -places);
+        span.take(ratio);
+      }
+      if (!row.sound()) (row.failed() ? failed : wrong) += fmt::format("{}\n", -places);
+    }
+  }
+
+  static constexpr std::array<const Criterion*, 3> kShown = {&kCosts[0], &kCosts[1], &kErrors[0]};
+};
+
 std::string draw_choices(const std::vector<Row>& rows, const PlotOptions& options,
                          const std::string& picture) {
   const auto own =
       std::find_if(rows.begin(), rows.end(), [](const Row& row) { return row.design == "own"; });
   if (own == rows.end() || own->failed()) return "";
-  const std::array<const Criterion*, 3> shown = {&kCosts[0], &kCosts[1], &kErrors[0]};
-  std::array<std::string, 3> points;
-  std::string tics, marks;
-  int place = 0;
-  for (const Row& row : rows) {
-    if (row.design == "own" || row.design == "grid") continue;
-    ++place;
-    tics += fmt::format("{}{} {}", tics.empty() ? "" : ", ", quoted(row.change), -place);
-    for (std::size_t i = 0; i < shown.size(); ++i) {
-      const double ratio = shown[i]->of(row, 1) / shown[i]->of(*own, 1);
-      if (ratio > 0 && std::isfinite(ratio)) points[i] += fmt::format("{:.6g} {}\n", ratio, -place);
-    }
-    if (!row.sound()) marks += fmt::format("1 {} {}\n", -place, row.failed() ? 2 : 10);
-  }
-  if (place == 0) return "";
+  const Choices choices(rows, *own);
+  if (choices.span.high == 0) return "";
   std::string out = fmt::format(
       "reset\nset output {}\nset term pngcairo size 1200,{} font 'Sans,11' noenhanced\n"
-      "set title {} font ',14'\nset logscale x\nset yrange [{}:0]\nset ytics ({})\n"
-      "set grid lc rgb '#dddddd' lt 1\nset key outside bottom center horizontal\n"
-      "set xlabel 'times what the scene as it is has (1: the same; left is better)'\n"
+      "set title {} font ',14'\nset logscale x\nset yrange [{}:0]\nset ytics ({})\nset bmargin 6\n"
+      "set grid lc rgb '#dddddd' lt 1\nset key at screen 0.5,0.012 center bottom horizontal "
+      "maxrows 1 width 2\nset format x '%g'\n"
+      "set xlabel 'multiples of what the scene as it is has (1: the same; further left is "
+      "better)'\n"
       "set arrow 1 from 1,graph 0 to 1,graph 1 nohead lc rgb '#000000' lw 1.5\n",
-      quoted(picture), 170 + 26 * place, quoted(options.title + ": one choice at a time"),
-      -place - 1, tics);
+      quoted(picture), 190 + 26 * choices.places, quoted(options.title + ": one choice at a time"),
+      -choices.places - 1, choices.tics);
+  out += choices.span.axis("x");
   static constexpr const char* styles[] = {"pt 7 ps 1.4 lc rgb '#1f77b4'",
                                            "pt 5 ps 1.2 lc rgb '#999999'",
                                            "pt 9 ps 1.5 lc rgb '#ff7f0e'"};
   std::string plots = "plot";
-  for (std::size_t i = 0; i < shown.size(); ++i) {
-    if (points[i].empty()) continue;
-    out += fmt::format("$c{} << EOD\n{}EOD\n", i, points[i]);
-    plots += fmt::format("{} $c{} with points {} title {}", plots == "plot" ? "" : ", ", i,
-                         styles[i], quoted(shown[i]->name));
+  for (std::size_t i = 0; i < Choices::kShown.size(); ++i) {
+    out += fmt::format("$c{} << EOD\n{}EOD\n", i, choices.points[i]);
+    if (!choices.points[i].empty())
+      plots += fmt::format("{} $c{} with points {} title {}", plots == "plot" ? "" : ", ", i,
+                           styles[i], quoted(Choices::kShown[i]->name));
   }
-  if (!marks.empty()) {
-    out += "$m << EOD\n" + marks + "EOD\n";
-    plots +=
-        ", $m using 1:2:3 with points pt variable ps 1.8 lw 2.5 lc rgb '#cc0000' title 'failed "
-        "(x), "
-        "or topology not the reference''s (triangle)'";
-  }
-  return plots == "plot" ? "" : out + plots + "\nunset output\n";
+  const auto mark = [&](const std::string& places, int kind, const char* meaning) {
+    if (places.empty()) return;
+    out += fmt::format("$m{} << EOD\n{}EOD\n", kind, places);
+    plots += fmt::format(
+        ", $m{} using ({:.9g}):1 with points pt {} ps 1.6 lw 2.5 lc rgb '#cc0000' title '{}'", kind,
+        choices.span.low, kind, meaning);
+  };
+  mark(choices.failed, 2, "failed");
+  mark(choices.wrong, 10, "wrong topology");
+  return out + plots + "\nunset output\n";
 }
 
 }  // namespace

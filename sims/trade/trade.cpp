@@ -20,25 +20,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::vector<Factor> read_factors(const std::vector<std::string>& texts, const Settings& own) {
-  std::vector<Factor> factors;
-  for (const std::string& text : texts) {
-    factors.push_back(read_factor(text, own));
-    for (std::size_t i = 0; i + 1 < factors.size(); ++i)
-      if (factors[i].name == factors.back().name)
-        throw InvalidInput("factor " + factors[i].name +
-                           " is given twice; give all its values once");
-  }
-  return factors;
-}
-
 std::vector<PlannedRun> planned(const TradeOptions& o, const Settings& own) {
   const bool given = !o.factors.empty();
   const std::string design = !o.design.empty() ? o.design : given ? "grid" : "both";
-  const bool one = design != "grid", grid = design != "one";
-  const auto spokes = read_factors(given ? o.factors : default_spokes(own), own);
-  const auto product = read_factors(given ? o.factors : default_grid(), own);
-  return plan(own, one ? spokes : std::vector<Factor>{}, grid ? product : std::vector<Factor>{});
+  const DesignChoice choice{.one = design != "grid", .grid = design != "one"};
+  return plan(own, given ? designs_of(o.factors, own, choice) : default_designs(own, choice));
 }
 
 /// Each single change is read as the scene's own would be, so that a bad one is refused at once.
@@ -115,10 +101,11 @@ class Study {
                          fingerprint(read_triangles(reference_.mesh)) +
                          fmt::format("{}", fmt::join(options_.topology, " ")));
     for (const Row& row : rows_)
-      if (row.study != study_)
-        throw InvalidInput(table_.string() +
-                           ": it is of another scene, or measured against something else; give "
-                           "another folder, or remove the file");
+      if (row.study != study_ || !same_settings(row))
+        throw InvalidInput(
+            table_.string() +
+            ": it is of another scene or version, or measured against something else; give "
+            "another folder, or remove the file");
     if (watcher_ != nullptr) watcher_->referenced(reference_);
     make_runs();
     return conclude();
@@ -131,6 +118,12 @@ class Study {
     if (error)
       throw InvalidInput(options_.folder.string() + ": the folder cannot be made (" +
                          error.message() + "); choose another");
+  }
+
+  /// Whether the row has the settings that this version knows, whatever their values.
+  bool same_settings(const Row& row) const {
+    return std::equal(row.settings.begin(), row.settings.end(), own_.begin(), own_.end(),
+                      [](const auto& cell, const Setting& s) { return cell.first == s.key; });
   }
 
   /// The row of a planned run, if the table has it with as many repeats.
