@@ -62,8 +62,9 @@ void add_trade(CLI::App& app, int& exit) {
       ->check(CLI::IsMember({"one", "grid", "both"}));
   command
       ->add_option("--reference", o->reference.kind,
-                   "What errors are against: start, finest or a mesh file. Default: start where "
-                   "the motion brings everything back, else finest")
+                   "What errors are against: start; flow, the first surface carried by the motion "
+                   "alone; finest; or a mesh file. Default: start where the motion brings "
+                   "everything back, else finest")
       ->type_name("KIND|FILE");
   command
       ->add_option("--topology", o->topology,

@@ -3,6 +3,8 @@
 #include <set>
 
 #include "kernel/errors.h"
+#include "kernel/measures.h"
+#include "kernel/mesh_io.h"
 #include "sims/trade/plan.h"
 #include "sims/trade/reference.h"
 #include "tests/sims/program.h"
@@ -119,6 +121,29 @@ TEST_CASE("a motion that brings everything back is told from one that does not")
   CHECK(turned("6.283185307179586"));
   CHECK_FALSE(turned("6.2"));
   CHECK(turned("0"));
+}
+
+TEST_CASE("the flow's reference is the first surface, carried as a field carries points") {
+  const Folder folder;
+  std::string scene = kScene;
+  scene.replace(scene.find("rate = 1"), 8, "rate = 1.5707963267948966");  // a quarter turn about z
+  const Reference r = make_reference(folder.write("scene.toml", scene), folder / "", {},
+                                     {.kind = "flow", .limit = {}});
+  const Triangles turned = read_triangles(r.mesh),
+                  start = read_scene(folder / "scene.toml").surface;
+  CHECK(turned.triangles.size() > 40000);
+  CHECK(turned.triangles.size() < 200000);
+  CHECK(volume(turned) == Approx(volume(start)));
+  for (std::size_t v = 0; v < start.positions.size(); ++v) {
+    const Point& p = start.positions[v];
+    CHECK((turned.positions[v] - Point(-p[1], p[0], p[2])).norm() < 1e-5);
+  }
+  scene.replace(scene.find("rotation"), 8, "normal_flow");
+  scene.replace(scene.find("rate = "), 25, "");
+  folder.write("scene.toml", scene);
+  CHECK_THROWS_WITH(
+      make_reference(folder / "scene.toml", folder / "", {}, {.kind = "flow", .limit = {}}),
+      Contains("depends on the surface"));
 }
 
 TEST_CASE("the finer run is finer in space and time than every run of the plan") {
