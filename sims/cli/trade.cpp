@@ -15,6 +15,7 @@ class TradeProgress : public TradeWatcher {
   void planned(std::size_t runs, std::size_t there) override {
     fmt::print(stderr, "{} runs, of which {} are in the table already\n", runs, there);
   }
+  void referring() override { fmt::print(stderr, "the reference is found or made\n"); }
   void referenced(const Reference& reference) override {
     fmt::print(stderr, "errors are measured against {}\n", reference.words);
   }

@@ -86,13 +86,14 @@ struct Span {
     high = std::max(high, x);
   }
   double shown(double x) const { return x > 0 ? x : low; }
-  /// Commands for the axis: its range with a margin, and tics at 1, 2 and 5.
+  /// Commands for the axis: its range with a margin, and tics at round numbers.
   std::string axis(const char* name) const {
     const double margin = std::max(1.15, std::pow(high / low, 0.07));
+    const std::vector<double> wide = {1, 2, 5}, narrow = {1, 1.2, 1.5, 2, 2.5, 3, 4, 5, 6, 8};
     std::string tics;
     const int last = static_cast<int>(std::floor(std::log10(high * margin)));
     for (int power = static_cast<int>(std::floor(std::log10(low / margin))); power <= last; ++power)
-      for (const int digit : {1, 2, 5})
+      for (const double digit : high > 5 * low ? wide : narrow)
         tics += fmt::format("{}{}e{}", tics.empty() ? "" : ",", digit, power);
     return fmt::format("set {0}range [{1:.9g}:{2:.9g}]\nset {0}tics ({3})\n", name, low / margin,
                        high * margin, tics);

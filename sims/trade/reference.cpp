@@ -46,7 +46,7 @@ Triangles carried_alone(Scene& scene, Triangles surface) {
 }
 
 Reference from_flow(const fs::path& file, const fs::path& mesh) {
-  constexpr std::size_t most = 200000;  // a picture's worth: tens of seconds for costly fields
+  constexpr std::size_t most = 100000;  // half a minute, in the costliest of our fields
   Scene scene = read_scene(file);
   for (const Phase& phase : scene.phases)
     if (!phase.motion->is_field())
@@ -68,30 +68,16 @@ Reference from_file(const fs::path& file, const fs::path& mesh) {
 }
 
 Reference from_finer_run(const fs::path& scene, const fs::path& mesh,
-                         const std::vector<PlannedRun>& runs, const ReferenceOptions& options) {
+                         const std::vector<PlannedRun>& runs, double factor) {
   const Settings own = settings_of(read_scene(scene));
-  const SceneChanges changes = finest_changes(own, runs, options.finest);
+  const SceneChanges changes = finest_changes(own, runs, factor);
   const std::string words = words_of(own, changes);
-  Row row;
-  in_processes(
-      {0}, options.limit,
-      [&](std::size_t) {
-        return packed(run_once({.scene = scene,
-                                .changes = changes,
-                                .reference = {},
-                                .topology = {},
-                                .surface = mesh}));
-      },
-      [&](std::size_t, const Ended& ended) {
-        if (ended.finished)
-          row = unpacked(ended.said);
-        else
-          row.failure = ended.words();
-      });
+  const Row row = run_once(
+      {.scene = scene, .changes = changes, .reference = {}, .topology = {}, .surface = mesh});
   if (row.outcome != kDoneRun)
     throw InvalidInput(
-        fmt::format("the reference run ({}) failed: {}; give --reference FILE, a "
-                    "larger --finest or a larger --limit-seconds",
+        fmt::format("the reference run ({}) failed: {}; give --reference FILE or a "
+                    "larger --finest",
                     words, row.failure));
   return {mesh, "finest",
           fmt::format("a finer run: {}; {:.0f} triangles, {:.1f} CPU seconds in the tracker", words,
@@ -167,16 +153,38 @@ SceneChanges finest_changes(const Settings& own, const std::vector<PlannedRun>& 
 Reference make_reference(const fs::path& scene, const fs::path& folder,
                          const std::vector<PlannedRun>& runs, const ReferenceOptions& options) {
   const fs::path mesh = folder / "reference.ply", note = folder / "reference.txt";
-  std::string kind = options.kind;
   const auto left = earlier(scene, mesh, note);
-  if (left && (kind.empty() || kind == left->kind)) return *left;
-  if (kind.empty()) kind = comes_back(scene) ? "start" : "finest";
-  const Reference made = kind == "start"    ? from_start(scene, mesh)
-                         : kind == "flow"   ? from_flow(scene, mesh)
-                         : kind == "finest" ? from_finer_run(scene, mesh, runs, options)
-                                            : from_file(kind, mesh);
-  write_file(note, made.kind + ": " + made.words + "\n" + scene_line(scene));
-  return made;
+  if (left && (options.kind.empty() || options.kind == left->kind)) return *left;
+  const auto make = [&] {
+    std::string kind = options.kind;
+    if (kind.empty()) kind = comes_back(scene) ? "start" : "finest";
+    const Reference made = kind == "start"    ? from_start(scene, mesh)
+                           : kind == "flow"   ? from_flow(scene, mesh)
+                           : kind == "finest" ? from_finer_run(scene, mesh, runs, options.finest)
+                                              : from_file(kind, mesh);
+    write_file(note, made.kind + ": " + made.words + "\n" + scene_line(scene));
+  };
+  // In a process of its own: what it takes of memory is not to count for the runs.
+  std::string trouble;
+  in_processes(
+      {0}, options.limit,
+      [&](std::size_t) -> std::string {
+        try {
+          make();
+        } catch (const std::exception& error) {
+          return error.what();
+        }
+        return "";
+      },
+      [&](std::size_t, const Ended& ended) {
+        trouble = ended.finished ? ended.said
+                                 : "the reference could not be made: " + ended.words() +
+                                       "; give --reference FILE or a larger --limit-seconds";
+      });
+  if (!trouble.empty()) throw InvalidInput(trouble);
+  const auto made = earlier(scene, mesh, note);
+  if (!made) throw InvalidInput(note.string() + ": it cannot be read back; remove the file");
+  return *made;
 }
 
 }  // namespace suture

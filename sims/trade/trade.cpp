@@ -8,7 +8,6 @@
 
 #include "kernel/errors.h"
 #include "kernel/files.h"
-#include "kernel/mesh_io.h"
 #include "kernel/random.h"
 #include "sims/trade/one_run.h"
 #include "sims/trade/plot.h"
@@ -96,9 +95,10 @@ class Study {
     ReferenceOptions how = options_.reference;
     how.limit = options_.processes;
     how.limit.limit_seconds *= 20;  // finer than every run, so dearer than the dearest
+    if (watcher_ != nullptr) watcher_->referring();
     reference_ = make_reference(options_.scene, options_.folder, runs_, how);
     study_ = fingerprint(read_file(options_.scene) + scene_bits_ +
-                         fingerprint(read_triangles(reference_.mesh)) +
+                         fingerprint(read_file(reference_.mesh)) +
                          fmt::format("{}", fmt::join(options_.topology, " ")));
     for (const Row& row : rows_)
       if (row.study != study_ || !same_settings(row))

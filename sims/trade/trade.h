@@ -26,6 +26,7 @@ struct TradeOptions {
 class TradeWatcher {
  public:
   virtual ~TradeWatcher() = default;
+  virtual void referring() = 0;  ///< the reference is made next, which may take long
   virtual void planned(std::size_t runs, std::size_t there) = 0;  ///< of which `there` are in the
                                                                   ///< table already
   virtual void referenced(const Reference& reference) = 0;
