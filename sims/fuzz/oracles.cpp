@@ -7,13 +7,14 @@
 #include <cmath>
 #include <cstring>
 #include <numbers>
+#include <set>
 
 #include "kernel/audit.h"
 #include "kernel/errors.h"
 #include "kernel/random.h"
 #include "sims/keys.h"
-#include "surgery/surface_distance.h"
 #include "surgery/surgery_check.h"
+#include "surgery/tracker.h"
 
 namespace suture {
 
@@ -45,6 +46,26 @@ bool wholly_in(const std::vector<LatticeId>& region, const Index3& node) {
                             pack(node[0] - (c & 1), node[1] - (c >> 1 & 1), node[2] - (c >> 2))))
       return false;
   return true;
+}
+
+/// The nodes within `reach` cells of some cells, those of the cells included.
+std::vector<Index3> corners_of(const std::vector<LatticeId>& cells, int reach) {
+  std::set<Index3> nodes;
+  for (const LatticeId cell : cells)
+    for (int i = -reach; i <= reach + 1; ++i)
+      for (int j = -reach; j <= reach + 1; ++j)
+        for (int k = -reach; k <= reach + 1; ++k) {
+          const Index3 at = unpack(cell);
+          if (std::min({at[0] + i, at[1] + j, at[2] + k}) >= 0)
+            nodes.insert({at[0] + i, at[1] + j, at[2] + k});
+        }
+  return {nodes.begin(), nodes.end()};
+}
+
+/// The options with an arithmetic that does not err, for judging whatever arithmetic was used.
+TrackerOptions exactly(TrackerOptions options) {
+  options.arithmetic = Arithmetic::filtered;
+  return options;
 }
 
 /// Solid angle of the surface over 4π. Each vector is taken at its own scale, so nothing over- or
@@ -116,9 +137,7 @@ Objection object_invariance(const Observation& o) {
   const SurfaceCheck before(o.before, lattice), after(o.after, lattice);
   const std::vector<Index3> changed = SurfaceCheck::sides_changed(before, after);
   if (changed.empty()) return {};
-  TrackerOptions exact = o.options;
-  exact.arithmetic = Arithmetic::filtered;
-  const SurfaceDistance distance(o.before, exact);
+  const SurfaceDistance distance(o.before, exactly(o.options));
   std::vector<LatticeId> region = o.surgery->region;
   std::sort(region.begin(), region.end());
   for (const Index3& node : changed)
@@ -129,13 +148,16 @@ Objection object_invariance(const Observation& o) {
 }
 
 /// With the deep-cell test at a depth of a cell or more, what a remodel leaves calls for nothing
-/// more. (With the plain test or depth 0, cells that are complex without an event may be re-sampled
-/// again: a known limit.)
+/// more: the sides of nodes have stayed, so mixed cells have, and what was near them still is.
+/// (With the plain test or depth 0, cells that are complex without an event may be re-sampled
+/// again: a known limit.) A node within rounding of the surface may have changed its side.
 Objection object_settled(const Observation& o) {
   if (o.surgery == nullptr || o.moved || o.options.cell_test != CellTest::deep ||
-      o.options.depth < 1)
+      o.options.depth < 1 || o.surgery->outcome == Outcome::unchanged)
     return {};
-  if (o.surgery->outcome == Outcome::unchanged) return {};
+  const SurfaceDistance distance(o.before, exactly(o.options));
+  for (const Index3& node : corners_of(o.surgery->region, o.options.depth))
+    if (within_rounding(node, distance, o.before)) return {};
   return fmt::format("a second remodel was {}, {} cells marked",
                      committed(o) ? "committed" : "refused", o.surgery->marked.total());
 }
@@ -146,9 +168,7 @@ Objection object_solid_angle(const Observation& o) {
   if (o.surgery == nullptr || o.after.triangles.empty()) return {};
   const Lattice lattice = lattice_of(o.after.positions, o.options);
   const SurfaceCheck check(o.after, lattice);
-  TrackerOptions exact = o.options;
-  exact.arithmetic = Arithmetic::filtered;
-  const SurfaceDistance distance(o.after, exact);
+  const SurfaceDistance distance(o.after, exactly(o.options));
   const auto& nodes = distance.surface_nodes();
   const double scale = std::max(
       o.options.cell_size, 0x1p-40 * bounding_box(o.after.positions).high.cwiseAbs().maxCoeff());
