@@ -66,6 +66,10 @@ struct Scene {
 /// type, out of range, or missing; and for a body that is not a closed oriented manifold
 Scene read_scene(const std::filesystem::path& file);
 
+/// The tables [tracker] and [quality], which may hold nothing else. \throw InvalidInput likewise
+TrackerOptions read_tracker(Keys keys);
+QualityOptions read_quality(Keys keys);
+
 /// The scene in a text, as if it stood in `file`, which need not be there. \throw as read_scene
 Scene parse_scene(const std::string& text, const std::filesystem::path& file,
                   const SceneSources& sources = {});
