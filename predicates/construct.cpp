@@ -115,6 +115,19 @@ double on_triangle(const Point& a, const Point& b, const Point& c, int axis, con
   return exact_on_triangle(from, to_b, to_c, u, v) + 0.0;
 }
 
+double rounded_on_edge(const Point& p, const Point& q, int axis, double plane, int want) {
+  if (want == axis) return plane;
+  return p[want] + (q[want] - p[want]) * ((plane - p[axis]) / (q[axis] - p[axis]));
+}
+
+double rounded_on_triangle(const Point& a, const Point& b, const Point& c, int axis,
+                           const Point& through) {
+  const Point normal = (b - a).cross(c - a);
+  const int u = next_axis(axis), v = prev_axis(axis);
+  return a[axis] -
+         (normal[u] * (through[u] - a[u]) + normal[v] * (through[v] - a[v])) / normal[axis];
+}
+
 double clamp_to_cell(double x, double low, double high) {
   if (x <= low) return std::nextafter(low, high);
   return x < high ? x : high;

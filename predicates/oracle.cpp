@@ -1,10 +1,20 @@
 // Which oracle an arithmetic means.
 #include "predicates/oracle.h"
 
+#include "kernel/errors.h"
+
 namespace suture {
 
 std::unique_ptr<Oracle> make_oracle(Arithmetic arithmetic) {
-  return arithmetic == Arithmetic::rational ? make_rational_oracle() : make_filtered_oracle();
+  switch (arithmetic) {
+    case Arithmetic::rounded:
+      return make_rounded_oracle();
+    case Arithmetic::filtered:
+      return make_filtered_oracle();
+    case Arithmetic::rational:
+      return make_rational_oracle();
+  }
+  throw InvalidInput("there is no such arithmetic");
 }
 
 }  // namespace suture

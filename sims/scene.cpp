@@ -9,6 +9,7 @@
 #include <limits>
 
 #include "kernel/errors.h"
+#include "kernel/files.h"
 #include "kernel/measures.h"
 #include "kernel/shapes.h"
 #include "kernel/transform.h"
@@ -32,6 +33,8 @@ TomlTable table(const TomlTable& scene, const std::string& name) {
   return {Keys({}, name, scene.where), {}, {}, {}, scene.where};
 }
 
+}  // namespace
+
 QualityOptions read_quality(Keys keys) {
   QualityOptions q;
   q.edge_length = keys.number("edge_length", Range::at_least(0), q.edge_length);
@@ -48,6 +51,8 @@ QualityOptions read_quality(Keys keys) {
   keys.done();
   return q;
 }
+
+namespace {
 
 /// Edges are subdivided until they are short enough, however many triangles that makes.
 void require_affordable(const Scene& scene, const TomlTable& toml) {
@@ -69,6 +74,8 @@ void require_affordable(const Scene& scene, const TomlTable& toml) {
                                edge, triangles, kMostTriangles));
 }
 
+}  // namespace
+
 TrackerOptions read_tracker(Keys keys) {
   TrackerOptions t;
   t.cell_size = keys.number("cell_size", Range::above(0));
@@ -79,10 +86,15 @@ TrackerOptions read_tracker(Keys keys) {
   t.collapse = keys.choice("collapse", kCollapseNames, t.collapse);
   t.placement = keys.choice("placement", kPlacementNames, t.placement);
   t.arithmetic = keys.choice("arithmetic", kArithmeticNames, t.arithmetic);
+  t.jitter = keys.number("jitter", Range::between(0, 0.1), t.jitter);
+  t.most_restarts = static_cast<int>(keys.integer(
+      "most_restarts", Range::between(0, std::numeric_limits<int>::max()), t.most_restarts));
   t.straighten_turn = keys.number("straighten_turn", Range::between(0, 180), t.straighten_turn);
   keys.done();
   return t;
 }
+
+namespace {
 
 TimeOptions read_time(Keys keys) {
   TimeOptions t;
@@ -204,7 +216,14 @@ bool Every::wants(std::int64_t index, const TimeOptions& time) const {
 }
 
 Scene read_scene(const std::filesystem::path& file) {
-  TomlTable toml = read_toml(file);
+  if (!std::filesystem::is_regular_file(file))
+    throw InvalidInput(file.string() + ": there is no such file; give a scene's path");
+  return parse_scene(read_file(file), file);
+}
+
+Scene parse_scene(const std::string& text, const std::filesystem::path& file,
+                  const SceneSources& sources) {
+  TomlTable toml = parse_toml(text, file);
   toml.allow_tables({"bodies", "motion", "tracker", "quality", "time", "meshes", "pictures"});
   Scene scene;
   scene.file = file;
@@ -215,7 +234,7 @@ Scene read_scene(const std::filesystem::path& file) {
   scene.time = read_time(table(toml, "time").keys);
   read_meshes(table(toml, "meshes").keys, scene.output);
   read_pictures(table(toml, "pictures").keys, scene.output);
-  Bodies bodies = read_bodies(toml, file.parent_path());
+  Bodies bodies = read_bodies(toml, file.parent_path(), sources);
   scene.surface = std::move(bodies.surface);
   scene.notes = std::move(bodies.notes);
   require_affordable(scene, toml);

@@ -9,6 +9,7 @@
 
 #include "sims/flows/motion.h"
 #include "sims/output/picture.h"
+#include "sims/scene_sources.h"
 #include "surgery/options.h"
 
 namespace suture {
@@ -64,5 +65,13 @@ struct Scene {
 /// \throw InvalidInput with file, line, key and what is allowed, for anything unknown, of a wrong
 /// type, out of range, or missing; and for a body that is not a closed oriented manifold
 Scene read_scene(const std::filesystem::path& file);
+
+/// The tables [tracker] and [quality], which may hold nothing else. \throw InvalidInput likewise
+TrackerOptions read_tracker(Keys keys);
+QualityOptions read_quality(Keys keys);
+
+/// The scene in a text, as if it stood in `file`, which need not be there. \throw as read_scene
+Scene parse_scene(const std::string& text, const std::filesystem::path& file,
+                  const SceneSources& sources = {});
 
 }  // namespace suture

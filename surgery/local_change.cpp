@@ -108,15 +108,31 @@ void count_refusal(CollapseCounts& counts, Refusal refusal) {
     case Refusal::feature:
       ++counts.refused_feature;
       break;
+    case Refusal::premature:
+      ++counts.delayed;
+      break;
   }
 }
 
-LocalChange collapse_change(const Mesh& mesh, Mesh::Halfedge_index h, const Point& to) {
+void add_to(CollapseCounts& sum, const CollapseCounts& counts) {
+  sum.done += counts.done;
+  sum.delayed += counts.delayed;
+  sum.blocked += counts.blocked;
+  sum.refused_link += counts.refused_link;
+  sum.refused_normal += counts.refused_normal;
+  sum.refused_node += counts.refused_node;
+  sum.refused_volume += counts.refused_volume;
+  sum.refused_feature += counts.refused_feature;
+}
+
+LocalChange collapse_change(const Mesh& mesh, Mesh::Halfedge_index h, const Point& to,
+                            const FaceMarks* doomed) {
   LocalChange change;
   const auto add_star = [&](Mesh::Vertex_index v, bool first) {
     const Point from = to_point(mesh.point(v));
     if (from == to) return;
     for (const auto g : mesh.halfedges_around_target(mesh.halfedge(v))) {
+      if (doomed && (*doomed)[mesh.face(g)] != 0) continue;
       const bool goes = around(mesh, g, h);
       if (goes && !first) continue;
       const Point a = to_point(mesh.point(mesh.target(mesh.next(g))));
@@ -130,10 +146,24 @@ LocalChange collapse_change(const Mesh& mesh, Mesh::Halfedge_index h, const Poin
   return change;
 }
 
+namespace {
+
+/// Without a walk round the whole star: a vertex may have any number of triangles.
+bool has_three_or_fewer(const Mesh& mesh, Mesh::Vertex_index v) {
+  const auto first = mesh.halfedge(v);
+  auto h = first;
+  for (int i = 0; i < 3; ++i)
+    if ((h = mesh.next_around_target(h)) == first) return true;
+  return false;
+}
+
+}  // namespace
+
 bool keeps_manifold(const Mesh& mesh, Mesh::Halfedge_index h) {
   const auto left = mesh.target(mesh.next(h));
   const auto right = mesh.target(mesh.next(mesh.opposite(h)));
-  if (left == right || mesh.degree(left) <= 3 || mesh.degree(right) <= 3) return false;
+  if (left == right || has_three_or_fewer(mesh, left) || has_three_or_fewer(mesh, right))
+    return false;
   return CGAL::Euler::does_satisfy_link_condition(mesh.edge(h), mesh);
 }
 

@@ -15,8 +15,12 @@ enum class Events { none, merge, split, both };
 /// Which complex cells start a region: only deep ones [§5.3], or each of them (Figure 4 compares).
 enum class CellTest { deep, plain };
 
-/// What becomes of type 2 vertices once the surface is closed [§6.1 step 3].
-enum class Collapse { straighten, keep };
+/// What becomes of type 2 vertices, and when [§6.1 step 3, §6.2].
+enum class Collapse {
+  straighten,  ///< they collapse after the fill: nothing can gridlock
+  keep,        ///< none goes: outside the region the old mesh stays to the last bit
+  paper        ///< they collapse before the fill; on gridlock the region grows and all starts again
+};
 
 /// Where the fill's own vertices go along their lattice edge [§6.1 step 5].
 enum class Placement {
@@ -55,9 +59,13 @@ struct TrackerOptions {
   CellTest cell_test = CellTest::deep;
   int depth = 1;  ///< whole cells that a deep cell is away from the isosurface, >= 0
   Collapse collapse = Collapse::straighten;
+  int most_restarts = 100;  ///< of `Collapse::paper`: after so many gridlocks surgery is refused
   Placement placement =
       Placement::crossing;  ///< D is −0.46 % off on two horses at 128, this −0.04 %
   Arithmetic arithmetic = Arithmetic::filtered;
+  /// With `rounded` only: each remodel works on vertices moved at random by up to this part of a
+  /// cell on each axis, the paper's remedy against degeneracy [§5.3]; 0: none, at most 0.1.
+  double jitter = 1e-6;
   double straighten_turn = 60;  ///< degrees: the most a normal may turn when a type 2 vertex goes
   QualityOptions quality{};
   std::filesystem::path

@@ -7,8 +7,13 @@
 namespace suture {
 
 Sites::Sites(const Incidence& mesh, const Lattice& lattice, const Crossings& crossings,
-             const Winding& winding, const Region& region)
-    : mesh_(mesh), lattice_(lattice), crossings_(crossings), winding_(winding), region_(region) {}
+             const Winding& winding, const Region& region, Arithmetic arithmetic)
+    : mesh_(mesh),
+      lattice_(lattice),
+      crossings_(crossings),
+      winding_(winding),
+      region_(region),
+      arithmetic_(arithmetic) {}
 
 std::uint32_t Sites::add(Site site) {
   sites_.push_back(site);
@@ -30,9 +35,10 @@ std::uint32_t Sites::type2(std::uint32_t crossing, std::uint32_t mesh_edge) {
   Site site{SiteKind::type2, static_cast<std::int8_t>(face.axis), crossing, face.face, {}};
   const double plane = lattice_.plane(face.axis, at[face.axis]);
   site.position[face.axis] = plane;
+  const auto crossing_at = arithmetic_ == Arithmetic::rounded ? rounded_on_edge : on_edge;
   for (const int axis : {next_axis(face.axis), prev_axis(face.axis)})
     site.position[axis] =
-        clamp_to_cell(on_edge(mesh_.positions[p], mesh_.positions[q], face.axis, plane, axis),
+        clamp_to_cell(crossing_at(mesh_.positions[p], mesh_.positions[q], face.axis, plane, axis),
                       lattice_.plane(axis, at[axis]), lattice_.plane(axis, at[axis] + 1));
   known = 1 + add(site);
   return known - 1;
@@ -42,15 +48,17 @@ Point Sites::crossing_position(int axis, LatticeId edge, std::uint32_t triangle)
   const Index3 at = unpack(edge);
   Point position = lattice_.node(at);
   const Triangle& t = mesh_.triangles[triangle];
+  const auto crossing_at = arithmetic_ == Arithmetic::rounded ? rounded_on_triangle : on_triangle;
   position[axis] =
-      clamp_to_cell(on_triangle(mesh_.positions[t[0]], mesh_.positions[t[1]], mesh_.positions[t[2]],
+      clamp_to_cell(crossing_at(mesh_.positions[t[0]], mesh_.positions[t[1]], mesh_.positions[t[2]],
                                 axis, position),
                     lattice_.plane(axis, at[axis]), lattice_.plane(axis, at[axis] + 1));
   return position;
 }
 
 std::uint32_t Sites::type1(int axis, LatticeId edge, std::uint32_t triangle) {
-  std::uint32_t& known = region_.cells_round_edge(edge, axis) > 0
+  const int held = region_.cells_round_edge(edge, axis);  // within the region sheets may be many
+  std::uint32_t& known = held > 0 && held < 4
                              ? on_edge_[axis][edge]
                              : kept_[{triangle, static_cast<std::uint64_t>(axis), edge}];
   if (known == 0)

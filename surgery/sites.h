@@ -28,11 +28,12 @@ struct Site {
   Point position = Point::Zero();
 };
 
-/// Hands out one number for each site and constructs its position once.
+/// Hands out one number for each site and constructs its position once, correctly rounded unless
+/// the arithmetic is `rounded`.
 class Sites {
  public:
   Sites(const Incidence& mesh, const Lattice& lattice, const Crossings& crossings,
-        const Winding& winding, const Region& region);
+        const Winding& winding, const Region& region, Arithmetic arithmetic = Arithmetic::filtered);
 
   std::uint32_t corner(std::uint32_t vertex);
   /// \param mesh_edge the edge that crossing `crossing` is on
@@ -49,7 +50,7 @@ class Sites {
   Site& operator[](std::uint32_t id) { return sites_[id]; }
   const Site& operator[](std::uint32_t id) const { return sites_[id]; }
 
-  /// Where `triangle` meets the line of a lattice edge, correctly rounded, clamped to the edge.
+  /// Where `triangle` meets the line of a lattice edge, clamped to the edge.
   Point crossing_position(int axis, LatticeId edge, std::uint32_t triangle) const;
 
  private:
@@ -60,6 +61,7 @@ class Sites {
   const Crossings& crossings_;
   const Winding& winding_;
   const Region& region_;
+  Arithmetic arithmetic_;
   std::vector<Site> sites_;
   SparseField<std::uint32_t> corners_, type2_;         // number + 1; 0 is "none yet"
   std::array<SparseField<std::uint32_t>, 3> on_edge_;  // edges at the region: one site each

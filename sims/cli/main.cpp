@@ -29,6 +29,7 @@ int run_program(int argc, char** argv) {
     add_check(app, exit);
     add_make(app, exit);
     add_run(app, exit);
+    add_fuzz(app, exit);
     try {
       app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {

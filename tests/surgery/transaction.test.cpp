@@ -1,5 +1,7 @@
 #include <catch2/catch.hpp>
+#include <cfenv>
 
+#include "kernel/errors.h"
 #include "surgery/invariance.h"
 #include "surgery/remodel.h"
 #include "tests/brute/lying_oracle.h"
@@ -108,4 +110,25 @@ TEST_CASE("the same input gives the same bits and the same report") {
   CHECK(a.marked.total() == b.marked.total());
   CHECK(a.vertex_map == b.vertex_map);
   CHECK(a.oracle.edge_side == b.oracle.edge_side);
+}
+
+TEST_CASE("a tracker does nothing on a thread that rounds other than to nearest") {
+  const HostileCase c = HostileCases(11).make();
+  Tracker tracker(c.surface, c.options);
+  int refused = 0;
+  std::fesetround(FE_UPWARD);
+  try {
+    tracker.remodel();
+  } catch (const InvalidInput&) {
+    ++refused;
+  }
+  try {
+    tracker.improve();
+  } catch (const InvalidInput&) {
+    ++refused;
+  }
+  std::fesetround(FE_TONEAREST);
+  CHECK(refused == 2);
+  CHECK(tracker.surface() == c.surface);
+  CHECK(tracker.remodel().outcome == Outcome::committed);
 }

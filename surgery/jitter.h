@@ -1,0 +1,16 @@
+// The paper's remedy against degeneracy, for plain doubles only: vertices move at random [§5.3].
+#pragma once
+
+#include "surgery/options.h"
+#include "surgery/surface.h"
+
+namespace suture {
+
+/// Whether remodels of these options work on a jittered copy.
+bool jitters(const TrackerOptions& options);
+
+/// The surface with every coordinate moved by up to options.jitter cells. Seeded by each vertex's
+/// number and coordinates: the same surface moves the same way, another one another way.
+Surface jittered(Surface surface, const TrackerOptions& options);
+
+}  // namespace suture
