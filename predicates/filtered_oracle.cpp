@@ -13,6 +13,7 @@
 #include <cmath>
 
 #include "predicates/exact_signs.h"
+#include "predicates/floating_point.h"
 #include "predicates/oracle.h"
 
 namespace suture {
@@ -137,6 +138,9 @@ class FilteredOracle final : public Oracle {
 
 }  // namespace
 
-std::unique_ptr<Oracle> make_filtered_oracle() { return std::make_unique<FilteredOracle>(); }
+std::unique_ptr<Oracle> make_filtered_oracle() {
+  require_ieee_arithmetic();
+  return std::make_unique<FilteredOracle>();
+}
 
 }  // namespace suture

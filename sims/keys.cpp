@@ -60,6 +60,12 @@ std::string joined(const std::vector<std::string>& names) {
   return all;
 }
 
+std::map<std::string, Value> Keys::values() const {
+  std::map<std::string, Value> result;
+  for (const auto& [key, entry] : entries_) result[key] = entry.value;
+  return result;
+}
+
 std::vector<std::string> Keys::names() const {
   std::vector<std::string> names;
   for (const auto& [key, entry] : entries_) names.push_back(key);

@@ -64,7 +64,8 @@ class Keys {
   }
 
   bool has(const std::string& key) const { return entries_.count(key) != 0; }
-  std::vector<std::string> names() const;  ///< of the keys given, in alphabetical order
+  std::vector<std::string> names() const;       ///< of the keys given, in alphabetical order
+  std::map<std::string, Value> values() const;  ///< all that was given, unchecked
 
   double number(const std::string& key, Range allowed);
   double number(const std::string& key, Range allowed, double fallback);

@@ -32,6 +32,8 @@ TomlTable table(const TomlTable& scene, const std::string& name) {
   return {Keys({}, name, scene.where), {}, {}, {}, scene.where};
 }
 
+}  // namespace
+
 QualityOptions read_quality(Keys keys) {
   QualityOptions q;
   q.edge_length = keys.number("edge_length", Range::at_least(0), q.edge_length);
@@ -48,6 +50,8 @@ QualityOptions read_quality(Keys keys) {
   keys.done();
   return q;
 }
+
+namespace {
 
 /// Edges are subdivided until they are short enough, however many triangles that makes.
 void require_affordable(const Scene& scene, const TomlTable& toml) {
@@ -69,6 +73,8 @@ void require_affordable(const Scene& scene, const TomlTable& toml) {
                                edge, triangles, kMostTriangles));
 }
 
+}  // namespace
+
 TrackerOptions read_tracker(Keys keys) {
   TrackerOptions t;
   t.cell_size = keys.number("cell_size", Range::above(0));
@@ -80,10 +86,14 @@ TrackerOptions read_tracker(Keys keys) {
   t.placement = keys.choice("placement", kPlacementNames, t.placement);
   t.arithmetic = keys.choice("arithmetic", kArithmeticNames, t.arithmetic);
   t.jitter = keys.number("jitter", Range::between(0, 0.1), t.jitter);
+  t.most_restarts = static_cast<int>(keys.integer(
+      "most_restarts", Range::between(0, std::numeric_limits<int>::max()), t.most_restarts));
   t.straighten_turn = keys.number("straighten_turn", Range::between(0, 180), t.straighten_turn);
   keys.done();
   return t;
 }
+
+namespace {
 
 TimeOptions read_time(Keys keys) {
   TimeOptions t;

@@ -69,4 +69,8 @@ using SceneChanges = std::map<std::string, Value>;
 /// type, out of range, or missing; and for a body that is not a closed oriented manifold
 Scene read_scene(const std::filesystem::path& file, const SceneChanges& changes = {});
 
+/// The tables [tracker] and [quality], which may hold nothing else. \throw InvalidInput likewise
+TrackerOptions read_tracker(Keys keys);
+QualityOptions read_quality(Keys keys);
+
 }  // namespace suture

@@ -122,6 +122,7 @@ std::size_t flatten_caps(Improvement& work) {
       collapse(mesh, mesh.halfedge(v, stay));
     }
   }
+  work.report.flattened += done;
   return done;
 }
 

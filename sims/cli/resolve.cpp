@@ -10,6 +10,7 @@
 #include "kernel/files.h"
 #include "kernel/measures.h"
 #include "kernel/mesh_io.h"
+#include "sims/cli/choices.h"
 #include "sims/cli/commands.h"
 #include "sims/cli/inputs.h"
 #include "sims/flows/vertex_values.h"
@@ -31,23 +32,6 @@ struct Settings {
   std::vector<double> origin;
   TrackerOptions tracker;
 };
-
-/// Lets an option take one of the names of an enumeration.
-template <class T, std::size_t N>
-void add_choice(CLI::App& command, const std::string& flag, T& value,
-                const std::array<Named<T>, N>& names, const std::string& help) {
-  std::vector<std::string> words;
-  for (const Named<T>& named : names) words.emplace_back(named.name);
-  const auto choose = [&value, &names](const std::string& word) {
-    for (const Named<T>& named : names)
-      if (word == named.name) value = named.value;
-  };
-  const auto allowed = [words](const std::string& word) {
-    if (std::find(words.begin(), words.end(), word) != words.end()) return std::string();
-    return "\"" + word + "\" is not known; give one of " + joined(words);
-  };
-  command.add_option_function<std::string>(flag, choose, help)->check(allowed)->type_name("WORD");
-}
 
 double checked_cell_size(const Settings& s, const CLI::App& command, const Triangles& surface) {
   if (command.count("--cell") != 0) {
@@ -178,7 +162,7 @@ void add_resolve(CLI::App& app, int& exit) {
   add_choice(*command, "--events", s->tracker.events, kEventsNames,
              "What may happen: merge, split, both (the default) or none");
   add_choice(*command, "--collapse", s->tracker.collapse, kCollapseNames,
-             "Vertices on the region's boundary: straighten (the default) or keep");
+             "Vertices on the region's boundary: straighten (the default), keep or paper");
   add_choice(*command, "--placement", s->tracker.placement, kPlacementNames,
              "New vertices: crossing (the default) or distance_field");
   add_choice(*command, "--cell-test", s->tracker.cell_test, kCellTestNames,
@@ -189,6 +173,10 @@ void add_resolve(CLI::App& app, int& exit) {
       ->add_option("--jitter", s->tracker.jitter,
                    "With --arithmetic rounded: move vertices by up to this part of a cell")
       ->type_name("X");
+  command
+      ->add_option("--restarts", s->tracker.most_restarts,
+                   "With --collapse paper: gridlocks after which the surgery is refused")
+      ->type_name("N");
   command->add_option("--depth", s->tracker.depth, "Cells between a deep cell and the isosurface")
       ->type_name("N");
   command->add_option("--origin", s->origin, "A node of the lattice: X Y Z")

@@ -56,6 +56,9 @@ std::vector<Point> mean_curvature_flow(const Triangles& surface, double time) {
 
   Matrix matrix(n, n);
   matrix.setFromTriplets(system.stiffness.begin(), system.stiffness.end());
+  // Where stiff terms cancel, a mass that is lost in their rounding leaves a pivot that is zero.
+  constexpr double kNotLost = 1e-9;
+  system.mass = system.mass.cwiseMax(kNotLost * time * Eigen::VectorXd(matrix.diagonal()));
   matrix = time * matrix + Matrix(system.mass.asDiagonal());
   Eigen::MatrixX3d right(n, 3);
   for (Eigen::Index v = 0; v < n; ++v)

@@ -38,8 +38,8 @@ check() {
       if (rank[to[1]] > rank[own[1]]) fault(own[1] " includes " path ", a floor above it")
       if (own[1] != "sims") next
       if (to[1] == "predicates") fault("sims includes " path "; it sees surgery and kernel only")
-      if (to[1] == "surgery" && path !~ /^surgery\/(tracker|options|report)\.h$/)
-        fault("sims includes " path "; of surgery it sees tracker.h, options.h and report.h")
+      if (to[1] == "surgery" && path !~ /^surgery\/(tracker|options|report|surgery_check)\.h$/)
+        fault("sims includes " path "; of surgery it sees tracker.h, options.h, report.h and surgery_check.h")
       if (path in brings_cgal) fault("sims includes " path ", which brings CGAL in")
       if (to[2] == "cli" && own[2] != "cli") fault("only sims/cli includes " path)
     }')
@@ -50,8 +50,10 @@ self_test() {
   plant kernel/through.h <<<'#include "kernel/mesh.h"'
   plant kernel/plain.h <<<'#include <vector>'
   plant surgery/tracker.h <<<'#include "kernel/plain.h"'
+  plant surgery/surgery_check.h <<<'#include "kernel/plain.h"'
   plant surgery/cut.h <<<'#include "kernel/through.h"'
   plant sims/run.cpp <<<'#include "surgery/tracker.h"'
+  plant sims/fuzz/oracles.cpp <<<'#include "surgery/surgery_check.h"'
   plant sims/cli/flags.cpp <<<'#include "sims/run.h"'
   plant tests/surgery/cut.test.cpp <<<'#include "surgery/cut.h"'
   expect_clean

@@ -160,6 +160,32 @@ TEST_CASE("the node rule agrees with a lattice that is really shifted, ties incl
   CHECK(held > 500);
 }
 
+TEST_CASE("the node rule is the same at every scale, also where products of lengths vanish") {
+  const auto oracle = make_filtered_oracle();
+  for (const int power : {0, -500, -515, -525, -530, -535, -540, -600, -1000, 400, 505, 900}) {
+    Dice dice(13);
+    std::size_t wrong = 0, held = 0;
+    for (int i = 0; i < 2000; ++i) {
+      std::array<Point, 4> t;
+      for (Point& p : t)
+        for (int a = 0; a < 3; ++a) p[a] = static_cast<double>(dice.below(41)) - 20;
+      const auto answer = [&](int k) {
+        std::vector<double> planes;
+        for (int j = -5; j <= 5; ++j) planes.push_back(std::ldexp(5 * j, k));
+        const double s = std::ldexp(1, k);
+        return holds_node(t[0] * s, t[1] * s, t[2] * s, t[3] * s, Lattice({planes, planes, planes}),
+                          *oracle);
+      };
+      const bool expected = answer(0);
+      wrong += answer(power) != expected ? 1 : 0;
+      held += expected ? 1 : 0;
+    }
+    CAPTURE(power);
+    CHECK(wrong == 0);
+    CHECK(held > 1000);
+  }
+}
+
 TEST_CASE("more volume than the bound is refused, and less is not") {
   // the cone's apex falls by 0.2 over a ring of area 2.7: it moves at least a third of the product
   const auto cone = double_cone(hexagon(), 0.2);

@@ -1,0 +1,24 @@
+// Cases as self-contained TOML files: every number to the last bit, the cause in the first line.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "sims/fuzz/fuzz_case.h"
+
+namespace suture {
+
+/// A case, and why it is kept.
+struct CorpusCase {
+  FuzzCase fuzz_case;
+  std::string oracle;  ///< that objected, or once did; empty for a case that is only shown
+  std::string cause;   ///< one line
+};
+
+/// TOML; numbers are the shortest decimals that give the same double again.
+std::string to_toml(const CorpusCase& c);
+
+/// \throw InvalidInput with file, line and what is wrong if it is not what to_toml gives
+CorpusCase read_case(const std::filesystem::path& file);
+
+}  // namespace suture

@@ -1,0 +1,115 @@
+// Every trial of the minimiser runs in a child, so that a crash is a failure like another.
+#include "sims/fuzz/corpus.h"
+
+#include <fmt/format.h>
+
+#include <cstring>
+#include <nlohmann/json.hpp>
+
+#include "kernel/files.h"
+#include "sims/fuzz/case_file.h"
+#include "sims/fuzz/child.h"
+#include "sims/fuzz/execute.h"
+
+namespace suture {
+
+namespace {
+
+template <class T>
+void put(std::string& bytes, const std::vector<T>& list) {
+  const std::uint64_t n = list.size();
+  bytes.append(reinterpret_cast<const char*>(&n), sizeof n);
+  if (n > 0) bytes.append(reinterpret_cast<const char*>(list.data()), n * sizeof(T));
+}
+
+template <class T>
+bool take(const std::string& bytes, std::size_t& at, std::vector<T>& list) {
+  std::uint64_t n = 0;
+  if (bytes.size() - at < sizeof n) return false;
+  std::memcpy(&n, bytes.data() + at, sizeof n);
+  at += sizeof n;
+  if ((bytes.size() - at) / sizeof(T) < n) return false;
+  list.resize(n);
+  if (n > 0) std::memcpy(static_cast<void*>(list.data()), bytes.data() + at, n * sizeof(T));
+  at += n * sizeof(T);
+  return true;
+}
+
+struct Reached {};
+
+Triangles surface_before(const FuzzCase& c, std::size_t operation, double seconds) {
+  const Isolated run = run_isolated(
+      [&] {
+        std::string bytes;
+        try {
+          run_case(c, OracleChoice("fast"), [&](std::size_t index, const Triangles& surface) {
+            if (index != operation) return;
+            put(bytes, surface.positions);
+            put(bytes, surface.triangles);
+            throw Reached{};
+          });
+        } catch (const Reached&) {
+        }
+        return bytes;
+      },
+      seconds);
+  Triangles surface;
+  std::size_t at = 0;
+  if (!take(run.text, at, surface.positions) || !take(run.text, at, surface.triangles)) return {};
+  return surface;
+}
+
+/// What makes two failures one kind: the oracle, and what an exception or a refusal says.
+std::string kind_of(const FuzzFailure& failure) {
+  return failure.oracle + ": " + kind_of_cause(failure.cause);
+}
+
+/// The oracle alone is asked again, so that trials are cheap; what the runner sees, it always sees.
+OracleChoice only(const std::string& oracle, const OracleChoice& all) {
+  for (const FuzzOracle& known : fuzz_oracles())
+    if (known.name == oracle) return OracleChoice(oracle);
+  return oracle == "refused" || oracle == "exception" ? OracleChoice("fast") : all;
+}
+
+}  // namespace
+
+std::optional<FuzzFailure> failure_of(const FuzzCase& c, const OracleChoice& oracles,
+                                      double seconds) {
+  const Isolated run =
+      run_isolated([&] { return to_json(run_case(c, oracles).counts).dump(); }, seconds);
+  if (run.death == "hang")
+    return FuzzFailure{c.seed, "hang", fmt::format("took more than {} s", seconds), {}};
+  if (!run.death.empty()) return FuzzFailure{c.seed, "crash", run.death, {}};
+  const FuzzSummary summary = summary_from_json(nlohmann::json::parse(run.text), "a child's line");
+  if (summary.failures.empty()) return std::nullopt;
+  return summary.failures.front();
+}
+
+void save_failures(FuzzSummary& summary, const std::filesystem::path& folder,
+                   const OracleChoice& oracles, const MinimiseLimits& limits,
+                   const std::function<FuzzCase(std::uint64_t)>& case_of) {
+  std::filesystem::create_directories(folder);
+  std::map<std::string, int> saved;
+  for (FuzzFailure& failure : summary.failures) {
+    if (++saved[failure.oracle] > limits.each) continue;
+    const OracleChoice asked = only(failure.oracle, oracles);
+    const double seconds = std::max(limits.seconds / 8, 1.0);
+    const std::string kind = kind_of(failure);
+    const auto fails = [&](const FuzzCase& c) {
+      const auto again = failure_of(c, asked, seconds);
+      return again && kind_of(*again) == kind;
+    };
+    const auto before = [&](const FuzzCase& c, std::size_t operation) {
+      return surface_before(c, operation, seconds);
+    };
+    CorpusCase kept{case_of(failure.seed), failure.oracle, failure.cause};
+    if (fails(kept.fuzz_case))
+      kept.fuzz_case = minimise(std::move(kept.fuzz_case), fails, before, limits).fuzz_case;
+    if (const auto least = failure_of(kept.fuzz_case, asked, seconds)) kept.cause = least->cause;
+    const auto file = folder / fmt::format("{}_{}.toml", failure.oracle, failure.seed);
+    write_file(file, to_toml(kept));
+    failure.file = file.string();
+  }
+}
+
+}  // namespace suture

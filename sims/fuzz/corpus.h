@@ -1,0 +1,26 @@
+// Failures become minimal cases in a folder, each with its cause; and cases are tried in isolation.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <optional>
+
+#include "sims/fuzz/fuzz_case.h"
+#include "sims/fuzz/minimise.h"
+#include "sims/fuzz/oracles.h"
+#include "sims/fuzz/summary.h"
+
+namespace suture {
+
+/// Runs the case in a child. \return its failure, crashes and hangs included
+std::optional<FuzzFailure> failure_of(const FuzzCase& c, const OracleChoice& oracles,
+                                      double seconds);
+
+/// Minimises and saves the summary's failing cases, at most limits.each of a kind, and writes the
+/// files' names into it. \param case_of the case of a seed \throw InvalidInput if a file cannot be
+/// written
+void save_failures(FuzzSummary& summary, const std::filesystem::path& folder,
+                   const OracleChoice& oracles, const MinimiseLimits& limits,
+                   const std::function<FuzzCase(std::uint64_t)>& case_of);
+
+}  // namespace suture

@@ -1,0 +1,165 @@
+// Greedy: whatever still fails and is smaller is taken, from the coarsest cuts to the finest, until
+// a whole round gains nothing.
+#include "sims/fuzz/minimise.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "kernel/measures.h"
+#include "kernel/trace.h"
+#include "sims/fuzz/smaller.h"
+
+namespace suture {
+
+namespace {
+
+class Minimiser {
+ public:
+  Minimiser(FuzzCase c, const StillFails& still_fails, const SurfaceBefore& before,
+            const MinimiseLimits& limits)
+      : best_{std::move(c), 0}, still_fails_(still_fails), before_(before), limits_(limits) {}
+
+  Minimised go() {
+    for (gained_ = true; gained_ && !over();) {
+      gained_ = false;
+      start_later();
+      fewer_operations();
+      fewer_components();
+      simpler_components();
+      fewer_edges();
+      simpler_options();
+      rounder_positions();
+      rounder_values();
+    }
+    return std::move(best_);
+  }
+
+ private:
+  bool over() {
+    seconds_ += watch_.lap();
+    return best_.trials >= limits_.trials || seconds_ > limits_.seconds;
+  }
+
+  bool try_case(FuzzCase c) {
+    if (over()) return false;
+    ++best_.trials;
+    if (!still_fails_(c)) return false;
+    best_.fuzz_case = std::move(c);
+    return gained_ = true;
+  }
+
+  bool try_surface(Triangles surface) {
+    FuzzCase c = best_.fuzz_case;
+    c.surface = std::move(surface);
+    return !c.surface.triangles.empty() && try_case(std::move(c));
+  }
+
+  /// The surface that an operation is given becomes the case's, and what was done before it goes.
+  void start_later() {
+    for (std::size_t i = best_.fuzz_case.operations.size(); i-- > 1;) {
+      FuzzCase c = best_.fuzz_case;
+      c.surface = before_(c, i);
+      if (c.surface.triangles.empty()) continue;
+      c.operations.erase(c.operations.begin(),
+                         c.operations.begin() + static_cast<std::ptrdiff_t>(i));
+      if (try_case(std::move(c))) return;
+    }
+  }
+
+  void fewer_operations() {
+    for (std::size_t i = best_.fuzz_case.operations.size(); i-- > 0;) {
+      FuzzCase c = best_.fuzz_case;
+      c.operations.erase(c.operations.begin() + static_cast<std::ptrdiff_t>(i));
+      try_case(std::move(c));
+    }
+  }
+
+  void fewer_components() {
+    for (std::uint32_t k = 0; k < components(best_.fuzz_case.surface).count && !over();)
+      if (!try_surface(without_component(best_.fuzz_case.surface, k))) ++k;
+  }
+
+  void simpler_components() {
+    for (std::uint32_t k = 0; k < components(best_.fuzz_case.surface).count && !over(); ++k)
+      for (const Stand stand : {Stand::tetrahedron, Stand::box})
+        if (try_surface(component_replaced(best_.fuzz_case.surface, k, stand))) break;
+  }
+
+  /// Many edges at once first, then fewer, then one by one.
+  void fewer_edges() {
+    for (std::size_t chunk = best_.fuzz_case.surface.triangles.size() / 4; chunk >= 1 && !over();
+         chunk /= 2)
+      for (std::size_t at = 0; at < 3 * best_.fuzz_case.surface.triangles.size() && !over();) {
+        Triangles fewer = best_.fuzz_case.surface;
+        std::size_t done = 0;
+        std::size_t corner = at;
+        for (; corner < 3 * fewer.triangles.size() && done < chunk; ++corner)
+          done += collapse_edge(fewer, corner / 3, corner % 3) ? 1 : 0;
+        if (done == 0 || !try_surface(std::move(fewer))) at = std::max(corner, at + 1);
+      }
+  }
+
+  void simpler_options() {
+    const TrackerOptions plain;
+    const auto attempt = [&](auto change) {
+      FuzzCase c = best_.fuzz_case;
+      change(c.options);
+      if (!same_options(c.options, best_.fuzz_case.options)) try_case(std::move(c));
+    };
+    attempt([&](TrackerOptions& o) { o.quality = plain.quality; });
+    attempt([&](TrackerOptions& o) { o.quality.edge_length = 0; });
+    attempt([&](TrackerOptions& o) { o.origin = plain.origin; });
+    attempt([&](TrackerOptions& o) { o.events = plain.events; });
+    attempt([&](TrackerOptions& o) { o.cell_test = plain.cell_test; });
+    attempt([&](TrackerOptions& o) { o.depth = plain.depth; });
+    attempt([&](TrackerOptions& o) { o.collapse = Collapse::keep; });
+    attempt([&](TrackerOptions& o) { o.placement = plain.placement; });
+    attempt([&](TrackerOptions& o) { o.straighten_turn = plain.straighten_turn; });
+    attempt([&](TrackerOptions& o) { o.cell_size = rounded_to_bits(o.cell_size, 1); });
+    attempt([&](TrackerOptions& o) { o.cell_size = rounded_to_bits(o.cell_size, 4); });
+  }
+
+  void rounder_positions() {
+    for (const int bits : {1, 2, 4, 6, 8, 12, 16, 24, 32, 40, 48})
+      if (try_rounded(bits, 0, best_.fuzz_case.surface.positions.size())) break;
+    for (const int bits : {2, 8, 24})
+      for (std::size_t v = 0; v < best_.fuzz_case.surface.positions.size() && !over(); ++v)
+        try_rounded(bits, v, v + 1);
+  }
+
+  bool try_rounded(int bits, std::size_t from, std::size_t to) {
+    Triangles surface = best_.fuzz_case.surface;
+    for (std::size_t v = from; v < to; ++v)
+      for (int a = 0; a < 3; ++a)
+        surface.positions[v][a] = rounded_to_bits(surface.positions[v][a], bits);
+    return surface != best_.fuzz_case.surface && try_surface(std::move(surface));
+  }
+
+  void rounder_values() {
+    for (std::size_t i = 0; i < best_.fuzz_case.operations.size(); ++i)
+      for (const auto& [key, value] : std::map(best_.fuzz_case.operations[i].values))
+        for (const int bits : {1, 4, 12}) {
+          FuzzCase c = best_.fuzz_case;
+          if (auto* x = std::get_if<double>(&c.operations[i].values[key]))
+            *x = rounded_to_bits(*x, bits);
+          if (c.operations != best_.fuzz_case.operations && try_case(std::move(c))) break;
+        }
+  }
+
+  Minimised best_;
+  const StillFails& still_fails_;
+  const SurfaceBefore& before_;
+  const MinimiseLimits& limits_;
+  Stopwatch watch_;
+  double seconds_ = 0;
+  bool gained_ = false;
+};
+
+}  // namespace
+
+Minimised minimise(FuzzCase c, const StillFails& still_fails, const SurfaceBefore& surface_before,
+                   const MinimiseLimits& limits) {
+  return Minimiser(std::move(c), still_fails, surface_before, limits).go();
+}
+
+}  // namespace suture

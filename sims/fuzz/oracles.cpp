@@ -1,0 +1,232 @@
+// Oracles that look at one surface, or at the surfaces before and after one remodel.
+#include "sims/fuzz/oracles.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <numbers>
+#include <set>
+
+#include "kernel/audit.h"
+#include "kernel/errors.h"
+#include "kernel/random.h"
+#include "sims/keys.h"
+#include "surgery/surgery_check.h"
+#include "surgery/tracker.h"
+
+namespace suture {
+
+namespace {
+
+constexpr std::uint64_t kSampled = 64;  // one seed in so many is asked the slow oracles
+
+bool committed(const Observation& o) {
+  return o.surgery != nullptr && o.surgery->outcome == Outcome::committed;
+}
+
+std::string name_of(const Index3& node) {
+  return fmt::format("node {} {} {}", node[0], node[1], node[2]);
+}
+
+/// Whether rounding alone can change a node's side: inserted vertices are off their triangles by
+/// half a bit of each coordinate.
+bool within_rounding(const Index3& node, const SurfaceDistance& distance,
+                     const Triangles& surface) {
+  const Box box = bounding_box(surface.positions);
+  const double reach =
+      0x1p-48 * std::max(box.low.cwiseAbs().maxCoeff(), box.high.cwiseAbs().maxCoeff());
+  return std::abs(distance.at(node)) <= reach;
+}
+
+bool wholly_in(const std::vector<LatticeId>& region, const Index3& node) {
+  for (int c = 0; c < 8; ++c)
+    if (!std::binary_search(region.begin(), region.end(),
+                            pack(node[0] - (c & 1), node[1] - (c >> 1 & 1), node[2] - (c >> 2))))
+      return false;
+  return true;
+}
+
+/// The nodes within `reach` cells of some cells, those of the cells included.
+std::vector<Index3> corners_of(const std::vector<LatticeId>& cells, int reach) {
+  std::set<Index3> nodes;
+  for (const LatticeId cell : cells)
+    for (int i = -reach; i <= reach + 1; ++i)
+      for (int j = -reach; j <= reach + 1; ++j)
+        for (int k = -reach; k <= reach + 1; ++k) {
+          const Index3 at = unpack(cell);
+          if (std::min({at[0] + i, at[1] + j, at[2] + k}) >= 0)
+            nodes.insert({at[0] + i, at[1] + j, at[2] + k});
+        }
+  return {nodes.begin(), nodes.end()};
+}
+
+/// The options with an arithmetic that does not err, for judging whatever arithmetic was used.
+TrackerOptions exactly(TrackerOptions options) {
+  options.arithmetic = Arithmetic::filtered;
+  return options;
+}
+
+/// Solid angle of the surface over 4π. Each vector is taken at its own scale, so nothing over- or
+/// underflows.
+double solid_angle(const Triangles& surface, const Point& at) {
+  double sum = 0;
+  for (const Triangle& t : surface.triangles) {
+    Point v[3];
+    for (int k = 0; k < 3; ++k) {
+      v[k] = surface.positions[t[static_cast<std::size_t>(k)]] - at;
+      v[k] /= v[k].cwiseAbs().maxCoeff();
+      v[k] /= v[k].norm();
+    }
+    sum += 2 * std::atan2(v[0].dot(v[1].cross(v[2])),
+                          1 + v[0].dot(v[1]) + v[1].dot(v[2]) + v[2].dot(v[0]));
+  }
+  return sum / (4 * std::numbers::pi);
+}
+
+}  // namespace
+
+/// Surgery and improvement leave a closed, oriented, edge- and vertex-manifold, finite surface, or
+/// nothing at all: Suture's claim.
+Objection object_audit(const Observation& o) {
+  if ((!committed(o) && o.quality == nullptr) || o.after.triangles.empty()) return {};
+  const Audit result = audit(o.after);
+  if (result.closed_manifold() && result.isolated_vertices == 0) return {};
+  return result.first.empty() ? "isolated vertices" : result.first;
+}
+
+/// A remodel that changes nothing, or is refused, leaves every bit: it works on a copy.
+Objection object_bits(const Observation& o) {
+  if (o.surgery == nullptr || committed(o) || same_bits(o.before, o.after)) return {};
+  return o.surgery->outcome == Outcome::refused ? "a refused remodel changed the surface"
+                                                : "an unchanged surface has other bits";
+}
+
+/// An old vertex that survives is where it was, and only it is mapped there: surgery moves nothing.
+Objection object_map(const Observation& o) {
+  if (o.surgery == nullptr) return {};
+  const auto& map = o.surgery->vertex_map;
+  if (o.before.triangles.empty()) return {};
+  if (map.size() != o.before.positions.size()) return "the vertex map has not the old length";
+  std::vector<char> used(o.after.positions.size(), 0);
+  for (std::size_t v = 0; v < map.size(); ++v) {
+    if (map[v] == kNone) continue;
+    if (map[v] >= used.size()) return fmt::format("vertex {} is mapped out of range", v);
+    if (used[map[v]] != 0) return fmt::format("vertex {} shares its new vertex with another", v);
+    used[map[v]] = 1;
+    if (o.before.positions[v] != o.after.positions[map[v]])
+      return fmt::format("surviving vertex {} has moved", v);
+  }
+  return {};
+}
+
+/// The marches along x, y and z count the same windings on any closed surface.
+Objection object_marches(const Observation& o) {
+  if (!committed(o) || o.after.triangles.empty()) return {};
+  if (SurfaceCheck(o.after, lattice_of(o.after.positions, o.options)).marches_agree()) return {};
+  return "the marches along the axes disagree on the surface after a remodel";
+}
+
+/// The side of a node is the same before and after a remodel, unless all its cells were re-sampled
+/// or it is within rounding of the surface. Here both whole surfaces are marched; the remodel's own
+/// audit marches what was taken out and put in.
+Objection object_invariance(const Observation& o) {
+  if (!committed(o)) return {};
+  const Lattice lattice = lattice_of(o.before.positions, o.options);
+  const SurfaceCheck before(o.before, lattice), after(o.after, lattice);
+  const std::vector<Index3> changed = SurfaceCheck::sides_changed(before, after);
+  if (changed.empty()) return {};
+  const SurfaceDistance distance(o.before, exactly(o.options));
+  std::vector<LatticeId> region = o.surgery->region;
+  std::sort(region.begin(), region.end());
+  for (const Index3& node : changed)
+    if (!wholly_in(region, node) && !within_rounding(node, distance, o.before))
+      return fmt::format("{}, outside the region, changed from winding {} to {}", name_of(node),
+                         before.winding(node), after.winding(node));
+  return {};
+}
+
+/// With the deep-cell test at a depth of a cell or more, what a remodel leaves calls for nothing
+/// more: the sides of nodes have stayed, so mixed cells have, and what was near them still is.
+/// (With the plain test or depth 0, cells that are complex without an event may be re-sampled
+/// again: a known limit.) A node within rounding of the surface may have changed its side.
+Objection object_settled(const Observation& o) {
+  if (o.surgery == nullptr || o.moved || o.options.cell_test != CellTest::deep ||
+      o.options.depth < 1 || o.surgery->outcome == Outcome::unchanged)
+    return {};
+  const SurfaceDistance distance(o.before, exactly(o.options));
+  for (const Index3& node : corners_of(o.surgery->region, o.options.depth))
+    if (within_rounding(node, distance, o.before)) return {};
+  return fmt::format("a second remodel was {}, {} cells marked",
+                     committed(o) ? "committed" : "refused", o.surgery->marked.total());
+}
+
+/// The winding that marches count is the solid angle over 4π, at nodes that are not near the
+/// surface: there the angle is smooth, and known to more digits than asked for.
+Objection object_solid_angle(const Observation& o) {
+  if (o.surgery == nullptr || o.after.triangles.empty()) return {};
+  const Lattice lattice = lattice_of(o.after.positions, o.options);
+  const SurfaceCheck check(o.after, lattice);
+  const SurfaceDistance distance(o.after, exactly(o.options));
+  const auto& nodes = distance.surface_nodes();
+  const double scale = std::max(
+      o.options.cell_size, 0x1p-40 * bounding_box(o.after.positions).high.cwiseAbs().maxCoeff());
+  Random random(o.seed);
+  for (int sample = 0; sample < 12 && !nodes.empty(); ++sample) {
+    const Index3 node = nodes[random.below(nodes.size())];
+    if (!(std::abs(distance.at(node)) > 0x1p-10 * scale)) continue;
+    const double angle = solid_angle(o.after, lattice.node(node));
+    if (!(std::abs(angle - check.winding(node)) < 0.01))
+      return fmt::format("{} has winding {} but solid angle {}", name_of(node), check.winding(node),
+                         angle);
+  }
+  return {};
+}
+
+bool same_bits(const Triangles& a, const Triangles& b) {
+  const auto same = [](const auto& x, const auto& y) {
+    return x.size() == y.size() && (x.empty() || std::memcmp(static_cast<const void*>(x.data()),
+                                                             static_cast<const void*>(y.data()),
+                                                             x.size() * sizeof x[0]) == 0);
+  };
+  return same(a.positions, b.positions) && same(a.triangles, b.triangles);
+}
+
+const std::vector<FuzzOracle>& fuzz_oracles() {
+  static const std::vector<FuzzOracle> oracles = {{"audit", true, object_audit},
+                                                  {"bits", true, object_bits},
+                                                  {"map", true, object_map},
+                                                  {"marches", true, object_marches},
+                                                  {"invariance", true, object_invariance},
+                                                  {"settled", true, object_settled},
+                                                  {"solid_angle", false, object_solid_angle},
+                                                  {"rational", false, object_rational},
+                                                  {"scaling", false, object_scaling},
+                                                  {"axes", false, object_axes},
+                                                  {"cells", false, object_cells},
+                                                  {"order", false, object_order}};
+  return oracles;
+}
+
+OracleChoice::OracleChoice(const std::string& words) : words_(words) {
+  if (words == "sampled" || words == "fast" || words == "all") return;
+  std::vector<std::string> known;
+  for (const FuzzOracle& oracle : fuzz_oracles()) known.emplace_back(oracle.name);
+  for (std::size_t from = 0; from <= words.size();) {
+    const std::size_t comma = std::min(words.find(',', from), words.size());
+    names_.push_back(words.substr(from, comma - from));
+    if (std::find(known.begin(), known.end(), names_.back()) == known.end())
+      throw InvalidInput("there is no oracle \"" + names_.back() +
+                         "\"; give sampled, fast, all, or some of " + joined(known));
+    from = comma + 1;
+  }
+}
+
+bool OracleChoice::asks(const FuzzOracle& oracle, std::uint64_t seed) const {
+  if (!names_.empty()) return std::find(names_.begin(), names_.end(), oracle.name) != names_.end();
+  if (oracle.fast || words_ == "all") return true;
+  return words_ == "sampled" && Random(~seed).below(kSampled) == 0;
+}
+
+}  // namespace suture
