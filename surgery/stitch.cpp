@@ -33,7 +33,8 @@ std::vector<Mesh::Vertex_index> add_vertices(Mesh& mesh, const Sites& sites,
     const auto v = mesh.add_vertex(to_cgal(site.position));
     origins.vertex[v] = site.kind == SiteKind::corner ? site.source : kNone;
     if (site.kind == SiteKind::type1) made.type1.push_back(v);
-    if (site.kind == SiteKind::type2) made.type2.push_back(v);
+    // Straightening would take the others off the edge that they are on, and cut its corners.
+    if (site.kind == SiteKind::type2 && sites.at_boundary(site)) made.type2.push_back(v);
     if (site.kind == SiteKind::isosurface) made.isosurface.push_back(v);
     vertex[s] = v;
   }

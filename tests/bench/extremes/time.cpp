@@ -66,7 +66,7 @@ Result steps(const VelocityField& u, double dt, int count) {
 
 /// Every vertex thrown by up to `reach` cells, at random: one tangle.
 Result thrown(double reach, const Task& task) {
-  Tracker tracker(two_balls(12), {.cell_size = 0.1});
+  Tracker tracker(two_balls(reach > 10 ? 3 : 12), {.cell_size = 0.1});
   Random random(5);
   std::vector<Point> to = tracker.surface().positions;
   for (Point& p : to)
