@@ -23,12 +23,12 @@ Result cells_of(double size, int frequency) {
 /// axis.
 Result far_apart(double cells) {
   const auto pair = [](const Point& at) {
-    return together(corner_tetrahedron(at, 6.3),
-                    corner_tetrahedron(at + Point(1.2, 1.3, 1.4), 6.3));
+    return together(corner_tetrahedron(at, 6.25),
+                    corner_tetrahedron(at + Point(1.25, 1.375, 1.5), 6.25));
   };
   const Point far = Point::Constant(cells - 16);
-  Triangles near = pair({0.1, 0.2, 0.3});
-  Triangles surface = together(near, pair(Point(0.1, 0.2, 0.3) + far));
+  Triangles near = pair(Point::Constant(0.125));
+  Triangles surface = together(near, translated(near, far));
   perform(near, {.cell_size = 1});
   Result r = perform(surface, {.cell_size = 1});
   if (r.outcome.starts_with("InvalidInput")) return r;
