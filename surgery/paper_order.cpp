@@ -136,13 +136,7 @@ OpenedMesh open_in_paper_order(Mesh& mesh, const CutMesh& cut, const Sites& site
   const std::vector<ArcChain> chains = chains_of(cut.boundary, sites);
   PaperOrder order(mesh, chains, sewing, rules, doomed);
   OpenedMesh result;
-  std::vector<Vertex> type2;
-  for (const ArcChain& chain : chains)
-    for (std::size_t i = 1; i + 1 < chain.sites.size(); ++i)
-      type2.push_back(sewing.vertex(chain.sites[i]));
-  std::sort(type2.begin(), type2.end());
-  result.type2_vertices = type2.size();
-  result.collapses = collapse_type2(mesh, type2, sewing.made().type1, order);
+  result.collapses = collapse_type2(mesh, sewing.made().type2, sewing.made().type1, order);
   for (const ArcChain& chain : chains) {
     if (bent(chain, mesh, sewing)) {
       ++result.bent_arcs;

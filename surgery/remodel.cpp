@@ -115,7 +115,6 @@ Candidate operate(const Surface& surface, const Detected& d, Pieces pieces,
   Candidate result{surface.mesh, {}, {}};
   result.origins = track_origins(result.mesh);
   Sewing sewing(result.mesh, sites, result.origins);
-  std::size_t collapsed = 0;
   if (paper) {
     OpenedMesh opened = open_in_paper_order(result.mesh, cut_mesh, sites, sewing, rules);
     clock.ended("collapse");
@@ -124,7 +123,6 @@ Candidate operate(const Surface& surface, const Detected& d, Pieces pieces,
     result.gridlocked = std::move(opened.gridlocked);
     if (!result.gridlocked.empty()) return result;
     cut_mesh.boundary = std::move(opened.boundary);
-    collapsed = opened.type2_vertices;
   }
   const Patch patch = fill_region(cut_mesh.boundary, surface, d, options.placement, sites);
   clock.ended("fill");
@@ -136,7 +134,6 @@ Candidate operate(const Surface& surface, const Detected& d, Pieces pieces,
   }
   clock.ended("stitch");
   report_surgery(cut_mesh, patch, sewing.made(), report);
-  if (paper) report.type2_vertices = collapsed;  // others were made inside, and dropped with it
   if (options.collapse == Collapse::straighten) {
     report.collapses = straighten(result.mesh, sewing.made().type2, sewing.made().type1, rules);
     clock.ended("straighten");
