@@ -197,6 +197,16 @@ std::vector<Phase> read_phases(TomlTable& scene, const std::vector<Point>& veloc
   return phases;
 }
 
+void apply(const SceneChanges& changes, TomlTable& toml) {
+  for (const auto& [name, value] : changes) {
+    const std::size_t dot = name.find('.');
+    const std::string inner = name.substr(0, dot);
+    const TomlTable empty = table(toml, inner);
+    toml.tables.emplace(inner, empty)
+        .first->second.keys.put(name.substr(dot + 1), value, "a change of the scene");
+  }
+}
+
 }  // namespace
 
 std::int64_t TimeOptions::steps() const {
@@ -215,16 +225,17 @@ bool Every::wants(std::int64_t index, const TimeOptions& time) const {
   return false;
 }
 
-Scene read_scene(const std::filesystem::path& file) {
+Scene read_scene(const std::filesystem::path& file, const SceneChanges& changes) {
   if (!std::filesystem::is_regular_file(file))
     throw InvalidInput(file.string() + ": there is no such file; give a scene's path");
-  return parse_scene(read_file(file), file);
+  return parse_scene(read_file(file), file, {}, changes);
 }
 
 Scene parse_scene(const std::string& text, const std::filesystem::path& file,
-                  const SceneSources& sources) {
+                  const SceneSources& sources, const SceneChanges& changes) {
   TomlTable toml = parse_toml(text, file);
   toml.allow_tables({"bodies", "motion", "tracker", "quality", "time", "meshes", "pictures"});
+  apply(changes, toml);
   Scene scene;
   scene.file = file;
   scene.title = toml.keys.text("title", file.stem().string());

@@ -4,10 +4,8 @@
 #include <cstring>
 #include <string>
 
-#include "predicates/construct.h"
 #include "predicates/oracle.h"
-#include "tests/brute/exact_positions.h"
-#include "tests/brute/near_degenerate.h"
+#include "tests/brute/construct_questions.h"
 #include "tests/fuzz/targets.h"
 
 namespace suture::fuzz {
@@ -126,17 +124,13 @@ void compare_signs(const Points4& p, int axis) {
 }
 
 void compare_positions(const Points4& p, int axis) {
-  const int want = next_axis(axis);
-  if (p[0][axis] != p[1][axis]) {
-    const double x = on_edge(p[0], p[1], axis, p[2][axis], want);
-    require(brute::is_nearest(x, brute::exact_on_edge({p[0], p[1], axis, want, p[2][axis]})),
-            "on_edge is not the nearest double", p);
-  }
-  const mpq_class area = brute::twice_area(p[0], p[1], p[2], next_axis(axis), prev_axis(axis));
-  if (area == 0) return;
-  const double x = on_triangle(p[0], p[1], p[2], axis, p[3]);
-  require(brute::is_nearest(x, brute::exact_on_triangle(p, axis, area)),
-          "on_triangle is not the nearest double", p);
+  const auto check = [&](const auto& question, const char* what) {
+    if (brute::crosses(question))
+      require(brute::is_nearest(brute::ask(question), brute::exact(question)), what, p);
+  };
+  check(brute::EdgeQuestion{p[0], p[1], axis, next_axis(axis), p[2][axis]},
+        "on_edge is not the nearest double");
+  check(brute::TriangleQuestion{p, axis}, "on_triangle is not the nearest double");
 }
 
 }  // namespace

