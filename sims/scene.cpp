@@ -9,6 +9,7 @@
 #include <limits>
 
 #include "kernel/errors.h"
+#include "kernel/files.h"
 #include "kernel/measures.h"
 #include "kernel/shapes.h"
 #include "kernel/transform.h"
@@ -225,7 +226,14 @@ bool Every::wants(std::int64_t index, const TimeOptions& time) const {
 }
 
 Scene read_scene(const std::filesystem::path& file, const SceneChanges& changes) {
-  TomlTable toml = read_toml(file);
+  if (!std::filesystem::is_regular_file(file))
+    throw InvalidInput(file.string() + ": there is no such file; give a scene's path");
+  return parse_scene(read_file(file), file, {}, changes);
+}
+
+Scene parse_scene(const std::string& text, const std::filesystem::path& file,
+                  const SceneSources& sources, const SceneChanges& changes) {
+  TomlTable toml = parse_toml(text, file);
   toml.allow_tables({"bodies", "motion", "tracker", "quality", "time", "meshes", "pictures"});
   apply(changes, toml);
   Scene scene;
@@ -237,7 +245,7 @@ Scene read_scene(const std::filesystem::path& file, const SceneChanges& changes)
   scene.time = read_time(table(toml, "time").keys);
   read_meshes(table(toml, "meshes").keys, scene.output);
   read_pictures(table(toml, "pictures").keys, scene.output);
-  Bodies bodies = read_bodies(toml, file.parent_path());
+  Bodies bodies = read_bodies(toml, file.parent_path(), sources);
   scene.surface = std::move(bodies.surface);
   scene.notes = std::move(bodies.notes);
   require_affordable(scene, toml);

@@ -9,6 +9,7 @@
 
 #include "sims/flows/motion.h"
 #include "sims/output/picture.h"
+#include "sims/scene_sources.h"
 #include "surgery/options.h"
 
 namespace suture {
@@ -72,5 +73,9 @@ Scene read_scene(const std::filesystem::path& file, const SceneChanges& changes 
 /// The tables [tracker] and [quality], which may hold nothing else. \throw InvalidInput likewise
 TrackerOptions read_tracker(Keys keys);
 QualityOptions read_quality(Keys keys);
+
+/// The scene in a text, as if it stood in `file`, which need not be there. \throw as read_scene
+Scene parse_scene(const std::string& text, const std::filesystem::path& file,
+                  const SceneSources& sources = {}, const SceneChanges& changes = {});
 
 }  // namespace suture

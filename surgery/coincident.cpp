@@ -14,16 +14,18 @@ namespace {
 
 using Coordinates = std::array<double, 9>;
 
-/// The triangle's coordinates, its least vertex first, so that numbering does not matter.
+/// The triangle's coordinates from the corner that makes them least, so that numbering does not
+/// matter; corners may share a place.
 Coordinates canonical(const Triangles& surface, const Triangle& t) {
-  std::array<std::array<double, 3>, 3> p;
-  for (std::size_t k = 0; k < 3; ++k)
-    for (std::size_t a = 0; a < 3; ++a)
-      p[k][a] = surface.positions[t[k]][static_cast<Eigen::Index>(a)] + 0.0;  // −0 is 0
-  std::rotate(p.begin(), std::min_element(p.begin(), p.end()), p.end());
-  Coordinates c;
-  for (std::size_t i = 0; i < 9; ++i) c[i] = p[i / 3][i % 3];
-  return c;
+  Coordinates least;
+  for (std::size_t from = 0; from < 3; ++from) {
+    Coordinates c;
+    for (std::size_t i = 0; i < 9; ++i)
+      c[i] = surface.positions[t[(from + i / 3) % 3]][static_cast<Eigen::Index>(i % 3)] +
+             0.0;  // −0 is 0
+    if (from == 0 || c < least) least = c;
+  }
+  return least;
 }
 
 std::uint64_t hash(const Coordinates& c) {

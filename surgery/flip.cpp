@@ -45,10 +45,14 @@ Refusal may_flip(const Mesh& mesh, Mesh::Halfedge_index h, const LocalChange& ch
   return is_feature(mesh, mesh.edge(h), rules) ? Refusal::feature : Refusal::none;
 }
 
+/// A smaller gain is within the rounding of two sines, which depend on the corner that a triangle
+/// starts from: flips for it could go round in circles.
+constexpr double kLeastGain = 1e-12;
+
 /// Flips that edge of `f` which gains the most, if any may be flipped.
 Mesh::Halfedge_index best_flip(Improvement& work, Mesh::Face_index f) {
   auto best = Mesh::null_halfedge();
-  double best_gain = 0;
+  double best_gain = kLeastGain;
   bool refused = false;
   for (const auto h : work.mesh.halfedges_around_face(work.mesh.halfedge(f))) {
     const LocalChange change = flip_change(work.mesh, h);

@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <numeric>
+#include <optional>
 #include <string>
 
 #include "kernel/audit.h"
@@ -19,10 +20,6 @@
 namespace suture {
 
 namespace {
-
-constexpr const char* kTooSmall =
-    "a new vertex would have a coordinate that doubles cannot hold in the scene's unit; scale the "
-    "scene up";
 
 void require_in_range(const TrackerOptions& o) {
   constexpr int kMostDepth = 1000;  // (2·depth + 1)³ cells are looked at for each complex cell
@@ -56,7 +53,8 @@ std::vector<std::uint32_t> identity(std::size_t n) {
   return map;
 }
 
-/// A remodel in the unit that suits the cells; the surface is untouched unless it commits.
+/// A remodel in the unit that suits the cells, or in the scene's own where a new vertex would have
+/// a coordinate that doubles cannot hold there: one next to a plane at 0 may be subnormal.
 SurgeryReport remodel_in_unit(Surface& surface, const TrackerOptions& options, const Oracle& oracle,
                               Trace* trace) {
   const int unit = unit_exponent(options);
@@ -66,17 +64,29 @@ SurgeryReport remodel_in_unit(Surface& surface, const TrackerOptions& options, c
   SurgeryReport report = remodel(work, times_power(options, -unit), oracle, trace);
   multiply(report, unit);
   if (report.outcome != Outcome::committed) return report;
-  if (multiply(work, unit)) {
-    surface = std::move(work);
-  } else {
-    report.outcome = Outcome::refused;
-    report.failure = kTooSmall;
-    report.volume_after = report.volume_before;
-    report.euler_after = report.euler_before;
-    report.components_after = report.components_before;
-    report.vertex_map = identity(surface.triangles.positions.size());
-  }
+  if (!multiply(work, unit)) return remodel(surface, options, oracle, trace);
+  surface = std::move(work);
   return report;
+}
+
+struct Improved {
+  Mesh mesh;
+  QualityReport report;
+};
+
+/// The same for an improvement. \return nothing where `unit` cannot hold the result
+std::optional<Improved> improve_in_unit(const Surface& surface, const TrackerOptions& options,
+                                        const Oracle& oracle, int unit) {
+  QualityOptions quality = options.quality;
+  if (quality.edge_length == 0) quality.edge_length = options.cell_size;
+  quality.edge_length = std::ldexp(quality.edge_length, -unit);
+  Surface work = surface;
+  multiply(work, -unit);
+  const Lattice lattice = tracker_lattice(work.triangles.positions, times_power(options, -unit));
+  QualityReport report = improve(work.mesh, quality, &lattice, &oracle);
+  multiply(report, unit);
+  if (!multiply(work.mesh, unit)) return std::nullopt;
+  return Improved{std::move(work.mesh), std::move(report)};
 }
 
 }  // namespace
@@ -149,28 +159,21 @@ QualityReport Tracker::improve(Trace* trace) {
   if (surface().triangles.empty()) return {};
   require_ieee_arithmetic();
   Stopwatch watch;
-  QualityOptions options = state_->options.quality;
-  if (options.edge_length == 0) options.edge_length = state_->options.cell_size;
-  const int unit = unit_exponent(state_->options);
-  Surface work = state_->surface;
-  multiply(work, -unit);
-  const Lattice lattice =
-      tracker_lattice(work.triangles.positions, times_power(state_->options, -unit));
-  options.edge_length = std::ldexp(options.edge_length, -unit);
-  QualityReport report = suture::improve(work.mesh, options, &lattice, state_->oracle.get());
-  multiply(report, unit);
+  const State& was = *state_;
+  auto found = improve_in_unit(was.surface, was.options, *was.oracle, unit_exponent(was.options));
+  if (!found) found = improve_in_unit(was.surface, was.options, *was.oracle, 0);
+  QualityReport& report = found->report;
   if (report.subdivisions + report.collapses.done + report.flips + report.flattened == 0) {
     report.vertex_map = identity(surface().positions.size());  // what was tried has renumbered it
-    return report;
+    return std::move(report);
   }
-  if (!multiply(work.mesh, unit)) throw InternalFailure("improve", kTooSmall);
-  Triangles improved = to_triangles(work.mesh);
+  Triangles improved = to_triangles(found->mesh);
   const Audit result = audit(improved);
   if (!result.closed_manifold()) throw InternalFailure("improve", result.first);
   state_->surface.triangles = std::move(improved);
-  state_->surface.mesh = std::move(work.mesh);
+  state_->surface.mesh = std::move(found->mesh);
   if (trace) trace->stage_ended("improve", watch.lap());
-  return report;
+  return std::move(report);
 }
 
 }  // namespace suture

@@ -124,6 +124,15 @@ def locked(folder):
     return lock
 
 
+def cancel_leftovers(folder):
+    """Jobs of a run that was killed: Slurm would do their ranges beside the new ones."""
+    mine = subprocess.run(["squeue", "--me", "--noheader", "--format=%i %Z"], check=True,
+                          capture_output=True, text=True).stdout.splitlines()
+    left = [line.split()[0] for line in mine if line.split(maxsplit=1)[1] == str(folder)]
+    if left:
+        subprocess.run(["scancel", *left], check=True)
+
+
 def command(chosen, settings):
     where = [] if chosen.profile == "local" else ["--profile", str(
         HERE / chosen.profile if (HERE / chosen.profile).is_dir() else chosen.profile)]
@@ -216,6 +225,8 @@ def campaign(chosen, settings, lock):
     """Runs until the goal is reached; whether every range finished, or None if it was stopped."""
     unit, wanted = goal(settings)
     stops, watched = Stops(), progress.Progress(chosen.output, wanted, unit)
+    if chosen.profile == "slurm":
+        cancel_leftovers(chosen.output)
     while True:
         cases = settings["cases"] if unit == "cases" else more_cases(settings, watched)
         code = watch(Run(chosen, {**settings, "cases": cases}, lock), stops, watched)
@@ -269,7 +280,7 @@ def look(chosen):
         raise Problem(f"there is no campaign in {folder}")
     unit, wanted = goal(json.loads((folder / "settings.json").read_text()))
     if chosen.status:
-        print(progress.Progress(folder, wanted, unit).line().replace("0.0/s, ", ""))
+        print(progress.Progress(folder, wanted, unit).counts())
     if chosen.stop:
         try:
             locked(folder)

@@ -31,14 +31,19 @@ class Progress:
     def count(self, name):
         return sum(part[name] for part in self.read.values())
 
-    def line(self):
+    def counts(self):
         self.update()
         done = self.count(self.unit)
-        rate = (done - self.at_start) / max(time.monotonic() - self.begun, 1e-9)
-        text = (f"{done:,} of {self.goal:,} {self.unit} ({100 * done / self.goal:.1f} %), "
-                f"{rate:.1f}/s, {self.count('cases'):,} cases, {self.count('refused'):,} refused, "
+        return (f"{done:,} of {self.goal:,} {self.unit} ({100 * done / self.goal:.1f} %), "
+                f"{self.count('cases'):,} cases, {self.count('refused'):,} refused, "
                 f"failures {self.count('failures')} (crashes {self.count('crashes')}, "
                 f"hangs {self.count('hangs')})")
+
+    def line(self):
+        """The counts, and how fast they have grown since this was made."""
+        text, done = self.counts(), self.count(self.unit)
+        rate = (done - self.at_start) / max(time.monotonic() - self.begun, 1e-9)
+        text += f"; {rate:.1f} {self.unit}/s"
         if rate > 0 and done < self.goal:
             text += f"; {clock((self.goal - done) / rate)} left"
         return text

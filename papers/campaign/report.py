@@ -15,7 +15,7 @@ import tempfile
 
 import summaries
 
-RAN = ("host", "slurm_job", "started", "ended")
+RAN = ("host", "processor", "slurm_job", "started", "ended")
 LOG = (*summaries.NAMES, "first_seed", "cases", "remodels", "surgeries", "refused", "failures",
        "crashes", "hangs", "cpu_seconds", "digest", *RAN)
 MERGED_AT_ONCE = 500  # names on one command line
@@ -96,20 +96,25 @@ def page(folder, parts):
     settings = json.loads((folder / "settings.json").read_text())
     program = json.loads((folder / "program.json").read_text())
     rows = summaries.table(parts)
-    unfinished = sorted(p.name.removesuffix(".failed.log") + " of " + p.parent.name
-                        for p in (folder / "parts").glob("*/*.failed.log"))
+    failed = {p: p.name.removesuffix(".failed.log") for p in
+              (folder / "parts").glob("*/*.failed.log")}
+    unfinished = sorted(f"{first} of {p.parent.name}" for p, first in failed.items()
+                        if not (p.parent / f"{first}.json").exists())
     text = "# A fuzz campaign\n\n" + conclusion(rows[-1]) + "\n"
     text += ("A surgery is a remodel that changed the mesh. Every profile, arithmetic and collapse "
              "order ran the same seeds. `campaign.log.csv` beside this page has a line for each "
              "range of seeds.\n\n")
     text += markdown_table(rows, summaries.TABLE) + "\n"
-    hours = [p["ran"].get(k, "") for p in parts for k in ("started", "ended") if p["ran"].get(k)]
+    ran = [part["ran"] for part in parts if part["ran"]]
     facts = {"program": f"version {', '.join(sorted({p['version'] for p in parts}))}, commit "
                         f"{program['commit']}, SHA-256 {program['sha256']}",
-             "settings": ", ".join(f"{k} {v}" for k, v in sorted(settings.items())),
-             "from": min(hours, default="unknown"), "to": max(hours, default="unknown"),
-             "hosts": ", ".join(sorted({p["ran"].get("host", "unknown") for p in parts})),
-             "digest of all results": summaries.digest_of(parts)}
+             "from": min((r["started"] for r in ran), default="unknown"),
+             "to": max((r["ended"] for r in ran), default="unknown"),
+             "hosts": ", ".join(sorted({f"{r['host']} ({r['processor']})" for r in ran})),
+             "over Slurm": f"{sum(bool(r['slurm_job']) for r in ran)} of {len(parts)} ranges",
+             "digest of all results": summaries.digest_of(parts),
+             **{name.replace("_", " "): " ".join(value) if isinstance(value, list) else value
+                for name, value in sorted(settings.items())}}
     text += "".join(f"- {name}: {fact}\n" for name, fact in facts.items())
     for name, title in (("refused_by_cause", "Remodels refused, by cause"),
                         ("ended_by_cause", "Cases that ended early, by cause"),

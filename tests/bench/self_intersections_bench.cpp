@@ -105,7 +105,7 @@ Triangles tangle(std::uint64_t seed, int frequency, double reach) {
   Random random(seed);
   Triangles body = ball(1, Point::Zero(), frequency);
   for (Point& p : body.positions)
-    p += reach * Point(random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1));
+    p += reach * Point{random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1)};
   return body;
 }
 

@@ -38,21 +38,21 @@ std::string exception_to(Family family, const Property& holds) {
 
 }  // namespace
 
-TEST_CASE("both oracles see a lattice line on the same side of an edge") {
+TEST_CASE("both oracles see a lattice line on the same side of an edge", "[slow]") {
   for (Family family : kFamilies) {
     INFO(family);
     CHECK(disagreement(Decision::edge_side, family) == "");
   }
 }
 
-TEST_CASE("both oracles see a lattice node on the same side of a triangle") {
+TEST_CASE("both oracles see a lattice node on the same side of a triangle", "[slow]") {
   for (Family family : kFamilies) {
     INFO(family);
     CHECK(disagreement(Decision::triangle_side, family) == "");
   }
 }
 
-TEST_CASE("both oracles give four points the same orientation") {
+TEST_CASE("both oracles give four points the same orientation", "[slow]") {
   for (Family family : kFamilies) {
     INFO(family);
     CHECK(disagreement(Decision::orientation, family) == "");
@@ -71,7 +71,7 @@ TEST_CASE("turning an edge or the axes round turns the side round") {
   }
 }
 
-TEST_CASE("a triangle's side follows the order of its corners") {
+TEST_CASE("a triangle's side follows the order of its corners", "[slow]") {
   for (Family family : kFamilies) {
     INFO(family);
     CHECK(exception_to(family, [](const Oracle& oracle, const Points4& p, Draws&) {
@@ -83,7 +83,7 @@ TEST_CASE("a triangle's side follows the order of its corners") {
   }
 }
 
-TEST_CASE("orientation changes sign with every swap of its points") {
+TEST_CASE("orientation changes sign with every swap of its points", "[slow]") {
   for (Family family : kFamilies) {
     INFO(family);
     CHECK(exception_to(family, [](const Oracle& oracle, const Points4& p, Draws&) {

@@ -47,9 +47,9 @@ struct Sewn {
 inline Sewn sew(const Triangles& surface, const Detection& d, Pieces pieces,
                 Placement placement = Placement::crossing) {
   Sites sites(d.scan.mesh, d.scan.lattice, d.scan.crossings, d.scan.winding, d.region);
-  const CutMesh cut_mesh =
-      cut({d.scan.mesh, d.scan.lattice, *d.scan.oracle, d.scan.crossings, d.region}, pieces, sites);
-  const std::vector<Arc> arcs = gather_arcs(cut_mesh, d.region, d.scan.winding, sites);
+  const CutMesh cut_mesh = cut(
+      {d.scan.mesh, d.scan.lattice, *d.scan.oracle, d.scan.crossings, d.region}, {pieces}, sites);
+  const std::vector<Arc> arcs = gather_arcs(cut_mesh.boundary, d.region, d.scan.winding, sites);
   const DistanceField distance(surface, d.scan.lattice, d.scan.winding);
   place_isosurface(placement, d.scan.crossings, d.scan.winding, d.scan.lattice, distance, sites);
   const Patch patch = fill(arcs, sites);

@@ -114,6 +114,21 @@ TEST_CASE(
   CHECK(objections == 0);  // not proved where triangles are pinched: a remodel would cut again
 }
 
+TEST_CASE("two triangles at a mesh edge never both take a diagonal along it") {
+  // A wedge stands with its edge on a lattice line: what the region takes from either triangle has
+  // no width, so a diagonal past it, from end to end of the edge, turns no triangle over.
+  const Triangles wedge{{{0.5, 0, 0}, {5.5, 0, 0}, {3, 2, 2}, {3, 2, -2}},
+                        {{0, 1, 2}, {1, 0, 3}, {0, 2, 3}, {2, 1, 3}}};
+  Detection d = detect(wedge, {.cell_size = 1, .events = Events::none});
+  REQUIRE(volume(wedge) > 0);
+  const Index3 at = d.scan.lattice.cell_of(Point(2.5, 0, 0));
+  for (const int along : {0, 1}) d.region.cells.index(pack(at[0] + along, at[1], at[2]));
+  REQUIRE(faults(d) == 0);
+  const Sewn s = sew(wedge, d, Pieces::merged);
+  CHECK(s.split_triangles == 0);
+  CHECK(audit(s.surface).closed_manifold());
+}
+
 TEST_CASE("after a surgery that may merge and split, windings are 0 and 1 and every side stays") {
   int operated = 0;
   for (std::uint64_t seed = 1; seed <= 60; ++seed) {

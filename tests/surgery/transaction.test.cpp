@@ -73,6 +73,18 @@ TEST_CASE(
   CHECK(components(both.surface()).count == 1);
 }
 
+TEST_CASE("what the audit rejects is not committed, wherever the fault came from") {
+  const Triangles two = together(ball(1, {0.01, 0.02, 0.03}, 6), ball(1, {1.2, 0.3, 0.1}, 6));
+  Surface surface{to_mesh(two), two};
+  const auto corner = [&](double x) { return surface.mesh.add_vertex(CgalPoint(x, 0.11, 0.11)); };
+  surface.mesh.add_face(corner(0.11), corner(0.12), corner(0.13));  // open, and in one cell
+  const auto oracle = make_filtered_oracle();
+  const SurgeryReport report = remodel(surface, {.cell_size = 0.2}, *oracle, nullptr);
+  CHECK(report.outcome == Outcome::refused);
+  CHECK_THAT(report.failure, Catch::Matchers::Contains("audit: 3 border edges"));
+  CHECK(surface.triangles == two);
+}
+
 TEST_CASE("hostile surgeries agree bit for bit under both arithmetics") {
   int operated = 0;
   for (std::uint64_t seed = 1; seed <= 80; ++seed) {
