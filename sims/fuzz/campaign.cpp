@@ -87,6 +87,7 @@ class Campaign {
                         *range,
                         std::nullopt,
                         now_,
+                        0,
                         false,
                         {}});
     return true;
