@@ -5,8 +5,9 @@ build=$root/build
 
 packages=(g++ cmake ninja-build ccache mold libcgal-dev libgmp-dev libmpfr-dev libeigen3-dev
   libcli11-dev libtomlplusplus-dev libspdlog-dev libfmt-dev nlohmann-json3-dev
-  libvtk9-dev libegl-dev libglew-dev libpng-dev bzip2 python3)
+  libvtk9-dev libegl-dev libglew-dev libpng-dev bzip2 python3 gnuplot-nox)
 test_packages=(catch2 clang-format)
+sanitizer_packages=(clang libclang-rt-dev)  # sanitizers and libFuzzer come with the second
 
 fail() {
   echo "$(basename "$0"): $*" >&2
@@ -56,4 +57,12 @@ configure() {
 
 build_targets() {
   cmake --build "$build" --parallel "$(compilers)" "$@" || fail "the build failed"
+}
+
+# The build with sanitizers, by clang++, in build-fuzz. Arguments go to cmake.
+configure_fuzzers() {
+  build=$root/build-fuzz
+  mkdir -p "$build"
+  (cd "$root" && cmake --preset fuzz "$@") >"$build/configure.log" 2>&1 ||
+    fail "cmake could not configure $build: see $build/configure.log"
 }

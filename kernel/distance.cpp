@@ -81,8 +81,8 @@ OneWayDistance one_way_distance(const Triangles& from, const Triangles& to,
   return sampled(from, NearestTriangle(to), options.samples);
 }
 
-SurfaceDistance surface_distance(const Triangles& a, const Triangles& b,
-                                 const SamplingOptions& options) {
+TwoWayDistance surface_distance(const Triangles& a, const Triangles& b,
+                                const SamplingOptions& options) {
   const NearestTriangle to_a(a), to_b(b);  // checks the indices of both
   return {sampled(a, to_b, options.samples), sampled(b, to_a, options.samples)};
 }

@@ -17,7 +17,7 @@ struct OneWayDistance {
   double spacing = 0;  ///< √(area / samples): the mean distance between samples
 };
 
-struct SurfaceDistance {
+struct TwoWayDistance {
   OneWayDistance forth, back;  ///< from the first surface to the second, and back
   double mean() const { return (forth.mean + back.mean) / 2; }
   double hausdorff() const { return forth.max > back.max ? forth.max : back.max; }
@@ -26,8 +26,8 @@ struct SurfaceDistance {
 /// Mean and largest distance between two surfaces, both ways. Samples are a fixed low-discrepancy
 /// pattern, so the result is the same every time. O((n + samples) log n).
 /// \throw InvalidInput if either surface has no triangle, no finite area, or a broken index
-SurfaceDistance surface_distance(const Triangles& a, const Triangles& b,
-                                 const SamplingOptions& options = {});
+TwoWayDistance surface_distance(const Triangles& a, const Triangles& b,
+                                const SamplingOptions& options = {});
 
 /// From `samples` to the nearest points of `to` only.
 OneWayDistance one_way_distance(const Triangles& from, const Triangles& to,

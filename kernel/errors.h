@@ -1,11 +1,19 @@
 // What Suture throws: bad input, and a broken invariant of our own.
 #pragma once
 
+#include <cstdio>
 #include <stdexcept>
 #include <string>
 #include <utility>
 
 namespace suture {
+
+/// A number as messages show it, at any size: std::to_string gives 0.000000 for all small ones.
+inline std::string number(double x, const char* format = "%.6g") {
+  char text[32];
+  std::snprintf(text, sizeof text, format, x);
+  return text;
+}
 
 /// Input that cannot be used. The message says what is wrong, where, and what to do. Exit code 2.
 class InvalidInput : public std::runtime_error {

@@ -12,12 +12,6 @@ namespace {
 
 constexpr const char* kAxisName[3] = {"x", "y", "z"};
 
-std::string number(double x) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.6g", x);
-  return text;
-}
-
 std::vector<double> planes_between(double low, double high, double cell, double origin, int margin,
                                    int axis) {
   const double first = std::floor((low - origin) / cell) - margin;
@@ -28,7 +22,7 @@ std::vector<double> planes_between(double low, double high, double cell, double 
                        " = " + number(low) + " to " + number(high) +
                        " leaves the range of doubles; choose another cell, or scale the mesh");
   if (!(count <= kMaxPlanes))
-    throw InvalidInput("cell size " + number(cell) + " asks for " + number(count - 1) +
+    throw InvalidInput("cell size " + number(cell) + " asks for " + number(count - 1, "%.10g") +
                        " cells along " + kAxisName[axis] + ", at most " +
                        std::to_string(kMaxPlanes - 1) + " fit the indices; choose a larger cell");
   std::vector<double> planes(static_cast<std::size_t>(count));

@@ -58,10 +58,10 @@ double volume(const Triangles& surface) {
   const Exact middle = centre(surface);
   long double six = 0;
   for (const Triangle& t : surface.triangles) {
-    const Exact a = surface.positions[t[0]].cast<long double>() - middle;
-    const Exact b = surface.positions[t[1]].cast<long double>() - middle;
-    const Exact c = surface.positions[t[2]].cast<long double>() - middle;
-    six += a.dot(b.cross(c));
+    const Exact a = surface.positions[t[0]].cast<long double>();
+    const Exact b = surface.positions[t[1]].cast<long double>();
+    const Exact c = surface.positions[t[2]].cast<long double>();
+    six += (a - middle).dot((b - a).cross(c - a));  // local first: bodies may be far apart
   }
   return static_cast<double>(six / 6);
 }

@@ -21,7 +21,7 @@ struct Coordinate {
 int whole(const std::string& name, double value) {
   constexpr double kMost = 1e9;  // an int holds it
   if (!(std::abs(value) <= kMost) || value != std::floor(value))
-    throw InvalidInput(name + " is " + std::to_string(value) +
+    throw InvalidInput(name + " is " + number(value) +
                        "; it must be a whole number of at most 1000000000");
   return static_cast<int>(value);
 }

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cmath>
-#include <cstdio>
 #include <string>
 
 #include "kernel/errors.h"
@@ -14,9 +13,7 @@ namespace suture {
 inline void require_range(const std::string& name, double value, double low, double high,
                           const std::string& range) {
   if (std::isfinite(value) && value >= low && value <= high) return;
-  char text[32];
-  std::snprintf(text, sizeof text, "%.6g", value);
-  throw InvalidInput(name + " is " + text + "; it must be " + range);
+  throw InvalidInput(name + " is " + number(value) + "; it must be " + range);
 }
 
 inline void require_positive(const std::string& name, double value) {
@@ -29,8 +26,8 @@ inline void require_resolution(const std::string& shape, double area, double edg
   require_positive(shape + ": edge_length", edge_length);
   const double triangles = area / (std::sqrt(0.1875) * edge_length * edge_length);
   if (!(triangles <= kMostTriangles))
-    throw InvalidInput(shape + ": edge_length " + std::to_string(edge_length) +
-                       " asks for more than " + std::to_string(std::llround(kMostTriangles)) +
+    throw InvalidInput(shape + ": edge_length " + number(edge_length) + " asks for more than " +
+                       std::to_string(std::llround(kMostTriangles)) +
                        " triangles; choose a longer one");
 }
 

@@ -29,7 +29,7 @@ class Ornament {
  public:
   explicit Ornament(const CarvedBallParameters& p) : half_(p.groove_width / 2) {
     Random random(static_cast<std::uint64_t>(p.seed));
-    const Point turn = Point(random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(0.1, 1));
+    const Point turn{random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(0.1, 1)};
     const Eigen::Matrix3d m =
         Eigen::AngleAxisd(random.uniform(0, 2 * kPi), turn.normalized()).toRotationMatrix();
     for (const Point& corner : sphere({.radius = 1, .frequency = 1}).positions) {

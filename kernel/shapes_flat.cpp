@@ -82,8 +82,8 @@ Triangles sheet(const SheetParameters& p) {
   require_range("sheet: bend", p.bend, -300, 300, "between -300 and 300 degrees");
   const double angle = p.bend * std::numbers::pi / 180, bend_radius = p.length / std::abs(angle);
   if (!(p.thickness < bend_radius))
-    throw InvalidInput("sheet: thickness " + std::to_string(p.thickness) +
-                       " does not fit the bend, whose radius is " + std::to_string(bend_radius) +
+    throw InvalidInput("sheet: thickness " + number(p.thickness) +
+                       " does not fit the bend, whose radius is " + number(bend_radius) +
                        "; choose a thinner sheet or a smaller bend");
   Triangles flat = box({Point::Zero(), {p.length, p.width, p.thickness}, p.edge_length});
   if (angle != 0)

@@ -121,9 +121,9 @@ Triangles dumbbell(const DumbbellParameters& p) {
   require_resolution("dumbbell", 8 * kPi * p.radius * p.radius, p.edge_length);
   const DumbbellProfile profile(p);
   if (!(profile.neck_half_length() > 0))
-    throw InvalidInput("dumbbell: a distance of " + std::to_string(p.distance) +
+    throw InvalidInput("dumbbell: a distance of " + number(p.distance) +
                        " leaves no neck between the fillets; choose a longer one, above " +
-                       std::to_string(p.distance - 2 * profile.neck_half_length()));
+                       number(p.distance - 2 * profile.neck_half_length()));
   const std::vector<Circle> upper = profile.circles();
   std::vector<Circle> all;
   for (std::size_t k = upper.size(); k-- > 1;)

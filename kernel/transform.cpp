@@ -22,7 +22,7 @@ Triangles scaled(Triangles surface, double factor) {
 Triangles scaled(Triangles surface, const Point& factors) {
   for (int axis = 0; axis < 3; ++axis)
     if (!(std::isfinite(factors[axis]) && factors[axis] > 0))
-      throw InvalidInput("a scale factor is " + std::to_string(factors[axis]) +
+      throw InvalidInput("a scale factor is " + number(factors[axis]) +
                          "; it must be finite and positive, or the surface would be inside-out");
   for (Point& p : surface.positions) p = p.cwiseProduct(factors);
   return surface;

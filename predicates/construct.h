@@ -7,13 +7,14 @@
 namespace suture {
 
 /// Coordinate `want` of the point where segment pq meets the plane {x_axis = plane}, correctly
-/// rounded (to nearest, ties to even; zero is +0). \pre p_axis != q_axis
+/// rounded (to nearest, ties to even; zero is +0), infinite where it overflows, for any finite
+/// doubles. \pre p_axis != q_axis
 /// \throw InternalFailure where that fails and no coordinate can be given
 double on_edge(const Point& p, const Point& q, int axis, double plane, int want);
 
 /// Coordinate `axis` of the point where the plane of triangle abc meets the line along `axis`
-/// through `through` (whose own `axis` coordinate is not read), correctly rounded. \pre the
-/// normal's `axis` component is not zero
+/// through `through` (whose own `axis` coordinate is not read), rounded as above, for any finite
+/// doubles. \pre the normal's `axis` component is not zero
 /// \throw InternalFailure where that fails and no coordinate can be given
 double on_triangle(const Point& a, const Point& b, const Point& c, int axis, const Point& through);
 

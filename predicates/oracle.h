@@ -30,7 +30,8 @@ struct LatticePoint2 {
 /// Signs, exact unless a backend says otherwise. The lattice stands at (ε₀, ε₁, ε₂) from where its
 /// doubles say, ε₀ ≫ ε₁ ≫ ε₂ > 0 (Simulation of Simplicity), axis 0 shifted most; mesh points stay.
 /// Only mesh vertices' doubles and lattice planes are ever passed, never a constructed point's
-/// exact self.
+/// exact self. All finite doubles will do, subnormal ones and those whose differences overflow too.
+/// \pre every coordinate is finite, which Tracker and Lattice see to
 class Oracle {
  public:
   virtual ~Oracle() = default;
@@ -60,6 +61,7 @@ class Oracle {
 std::unique_ptr<Oracle> make_rounded_oracle();
 
 /// Floating-point filter with a proven error bound, exact where it cannot decide. The default.
+/// \throw InvalidInput if this thread rounds other than to nearest or flushes subnormal numbers
 std::unique_ptr<Oracle> make_filtered_oracle();
 
 /// GMP rationals with concrete shifts 2^-6000, 2^-12000, 2^-18000 in place of symbols: slow, and

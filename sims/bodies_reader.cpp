@@ -3,17 +3,15 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <cstdlib>
 #include <numbers>
 
 #include "kernel/audit.h"
 #include "kernel/errors.h"
 #include "kernel/lattice.h"
-#include "kernel/mesh_io.h"
 #include "kernel/random.h"
 #include "kernel/repair.h"
-#include "kernel/shape_catalogue.h"
-#include "kernel/shapes.h"
 #include "kernel/transform.h"
 
 namespace suture {
@@ -25,7 +23,7 @@ constexpr double kMostCopies = 1e6;  // beyond it a count is surely a slip
 
 /// Where a model of this name is: in $SUTURE_MODELS, or in data/models seen from the scene's
 /// folder.
-fs::path find_model(const std::string& name, const fs::path& folder) {
+fs::path find_model(const std::string& name, const fs::path& folder, const SceneSources& sources) {
   std::vector<fs::path> places;
   if (const char* chosen = std::getenv("SUTURE_MODELS")) places.emplace_back(chosen);
   places.push_back(folder / "models");
@@ -33,7 +31,7 @@ fs::path find_model(const std::string& name, const fs::path& folder) {
   places.push_back("data/models");
   for (const fs::path& place : places)
     for (const char* extension : {".ply", ".obj", ".off", ".stl"})
-      if (fs::is_regular_file(place / (name + extension))) return place / (name + extension);
+      if (sources.is_file(place / (name + extension))) return place / (name + extension);
   return {};
 }
 
@@ -47,10 +45,11 @@ std::map<std::string, double> shape_parameters(TomlTable& body) {
   return values;
 }
 
-Triangles shape(Keys& keys, const std::string& key, TomlTable& body) {
+Triangles shape(const std::string& key, TomlTable& body, const SceneSources& sources) {
+  Keys& keys = body.keys;
   const std::string name = keys.text(key);
   try {
-    return make_shape(name, shape_parameters(body));
+    return sources.make_shape(name, shape_parameters(body));
   } catch (const InvalidInput& error) {
     keys.refuse(key, error.what());
   }
@@ -59,8 +58,10 @@ Triangles shape(Keys& keys, const std::string& key, TomlTable& body) {
 /// Turned by `degrees` about the axis that the key `about` gives, z by default.
 Triangles turned(Triangles surface, Keys& keys, const std::string& about, double degrees) {
   const Point axis = keys.vector(about, Point::UnitZ());
-  if (!(axis.norm() > 0)) keys.refuse(about, "has no direction");
-  return rotated(std::move(surface), axis, degrees * std::numbers::pi / 180);
+  const double length = axis.stableNorm();
+  if (!(length > 0 && std::isfinite(length)))
+    keys.refuse(about, "has no direction, or is too long; give one such as [0, 0, 1]");
+  return rotated(std::move(surface), axis, degrees * (std::numbers::pi / 180));
 }
 
 struct Source {
@@ -68,19 +69,20 @@ struct Source {
   std::string name;
 };
 
-Source read_source(TomlTable& body, const fs::path& folder, std::vector<std::string>& notes) {
+Source read_source(TomlTable& body, const fs::path& folder, const SceneSources& sources,
+                   std::vector<std::string>& notes) {
   Keys& keys = body.keys;
   const bool is_mesh = keys.has("mesh"), is_model = keys.has("model"), is_shape = keys.has("shape");
   if (is_mesh + is_model + is_shape != 1)
     keys.refuse("shape", "give one of shape, mesh (a file) or model (a name), and only one");
-  if (is_shape) return {shape(keys, "shape", body), keys.text("shape")};
+  if (is_shape) return {shape("shape", body, sources), keys.text("shape")};
   if (is_mesh) {
     const fs::path file = folder / keys.text("mesh");
-    return {read_triangles(file), file.string()};
+    return {sources.read_mesh(file), file.string()};
   }
   const std::string name = keys.text("model");
-  const fs::path file = find_model(name, folder);
-  if (!file.empty()) return {read_triangles(file), file.string()};
+  const fs::path file = find_model(name, folder, sources);
+  if (!file.empty()) return {sources.read_mesh(file), file.string()};
   if (!keys.has("fallback"))
     keys.refuse("model", "is \"" + name +
                              "\", which is not in $SUTURE_MODELS nor in data/models; bring it "
@@ -88,7 +90,7 @@ Source read_source(TomlTable& body, const fs::path& folder, std::vector<std::str
   notes.push_back("the model " + name + " is not here: the shape " + keys.text("fallback") +
                   " takes its place");
   const double degrees = keys.number("fallback_rotate", Range::any(), 0);
-  return {turned(shape(keys, "fallback", body), keys, "fallback_rotate_axis", degrees),
+  return {turned(shape("fallback", body, sources), keys, "fallback_rotate_axis", degrees),
           keys.text("fallback")};
 }
 
@@ -107,9 +109,20 @@ Triangles placed(Triangles surface, Keys& keys) {
   return translated(surface, keys.vector("translate", Point::Zero()));
 }
 
-/// Where the copies of a body go: one as it is, or many at seeded random places in a box.
-std::vector<Point> scattered(Keys& keys) {
+/// How many of the body there are; with those before, no more than can be held.
+std::int64_t read_copies(Keys& keys, std::size_t triangles, std::size_t before, double most) {
   const std::int64_t copies = keys.integer("copies", Range::between(1, kMostCopies), 1);
+  const double total =
+      static_cast<double>(triangles) * static_cast<double>(copies) + static_cast<double>(before);
+  if (!(total <= most))
+    keys.refuse("copies", fmt::format("is {}, of {} triangles each: {} with the bodies before, "
+                                      "more than {}; give fewer copies, or longer edges",
+                                      copies, triangles, total, most));
+  return copies;
+}
+
+/// Where the copies of a body go: one as it is, or many at seeded random places in a box.
+std::vector<Point> scattered(Keys& keys, std::int64_t copies) {
   const std::int64_t seed = keys.integer("scatter_seed", Range::at_least(0), 1);
   const Point low = keys.vector("scatter_low", Point::Zero());
   const Point high = keys.vector("scatter_high", low);
@@ -118,15 +131,17 @@ std::vector<Point> scattered(Keys& keys) {
   for (std::int64_t i = 0; i < copies; ++i) {
     Point place;
     for (int axis = 0; axis < 3; ++axis) place[axis] = random.uniform(low[axis], high[axis]);
+    if (!place.allFinite()) keys.refuse("scatter_high", "is too far from scatter_low");
     places.push_back(place);
   }
   return places;
 }
 
-void read_body(TomlTable& body, const fs::path& folder, Bodies& bodies) {
+void read_body(TomlTable& body, const fs::path& folder, const SceneSources& sources,
+               Bodies& bodies) {
   body.allow_tables({"parameters"});
   Keys& keys = body.keys;
-  Source source = read_source(body, folder, bodies.notes);
+  Source source = read_source(body, folder, sources, bodies.notes);
   if (keys.flag("repair", false)) {
     for (const std::string& done : repair(source.surface).in_words())
       bodies.notes.push_back(source.name + ": " + done);
@@ -137,29 +152,27 @@ void read_body(TomlTable& body, const fs::path& folder, Bodies& bodies) {
   require_usable(source.surface, body.where + ": " + source.name);
   source.surface = placed(std::move(source.surface), keys);
   const Point velocity = keys.vector("velocity", Point::Zero());
-  const std::vector<Point> places = scattered(keys);
+  const std::int64_t copies = read_copies(keys, source.surface.triangles.size(),
+                                          bodies.surface.triangles.size(), sources.most_triangles);
+  const std::vector<Point> places = scattered(keys, copies);
   keys.done();
-  const auto count = static_cast<double>(source.surface.triangles.size());
-  const double total = count * static_cast<double>(places.size()) +
-                       static_cast<double>(bodies.surface.triangles.size());
-  if (!(total <= kMostTriangles))
-    keys.refuse("copies", fmt::format("is {}, of {} triangles each: {} with the bodies before, "
-                                      "more than {}; give fewer copies, or longer edges",
-                                      places.size(), count, total, kMostTriangles));
   std::vector<Triangles> all = {std::move(bodies.surface)};
   for (const Point& place : places) all.push_back(translated(source.surface, place));
   bodies.surface = merged(all);
+  for (const Point& p : bodies.surface.positions)
+    if (!p.allFinite())
+      keys.refuse("translate", "scale and scatter take the body beyond what a double can hold");
   bodies.velocities.resize(bodies.surface.positions.size(), velocity);
 }
 
 }  // namespace
 
-Bodies read_bodies(TomlTable& scene, const fs::path& folder) {
+Bodies read_bodies(TomlTable& scene, const fs::path& folder, const SceneSources& sources) {
   const auto list = scene.lists.find("bodies");
   if (list == scene.lists.end())
     scene.keys.refuse("bodies", "is missing; give at least one [[bodies]]");
   Bodies bodies;
-  for (TomlTable& body : list->second) read_body(body, folder, bodies);
+  for (TomlTable& body : list->second) read_body(body, folder, sources, bodies);
   return bodies;
 }
 

@@ -1,6 +1,7 @@
 // A scene's bodies: shapes and mesh files, repaired where asked, placed, and checked.
 #pragma once
 
+#include "sims/scene_sources.h"
 #include "sims/toml_keys.h"
 
 namespace suture {
@@ -14,6 +15,7 @@ struct Bodies {
 
 /// Reads [[bodies]]; `folder` is the scene's own, which paths are relative to.
 /// \throw InvalidInput as read_scene
-Bodies read_bodies(TomlTable& scene, const std::filesystem::path& folder);
+Bodies read_bodies(TomlTable& scene, const std::filesystem::path& folder,
+                   const SceneSources& sources);
 
 }  // namespace suture

@@ -58,6 +58,11 @@ class Keys {
   Keys(std::map<std::string, Entry> entries, std::string name, std::string where)
       : entries_(std::move(entries)), name_(std::move(name)), where_(std::move(where)) {}
 
+  /// Gives `key` another value, or adds it; `where` is its place in messages.
+  void put(const std::string& key, Value value, const std::string& where) {
+    entries_.insert_or_assign(key, Entry{std::move(value), where});
+  }
+
   bool has(const std::string& key) const { return entries_.count(key) != 0; }
   std::vector<std::string> names() const;       ///< of the keys given, in alphabetical order
   std::map<std::string, Value> values() const;  ///< all that was given, unchecked

@@ -14,8 +14,8 @@ inline constexpr std::array<Named<Events>, 4> kEventsNames = {{{"merge", Events:
                                                                {"none", Events::none}}};
 inline constexpr std::array<Named<CellTest>, 2> kCellTestNames = {
     {{"deep", CellTest::deep}, {"plain", CellTest::plain}}};
-inline constexpr std::array<Named<Collapse>, 2> kCollapseNames = {
-    {{"straighten", Collapse::straighten}, {"keep", Collapse::keep}}};
+inline constexpr std::array<Named<Collapse>, 3> kCollapseNames = {
+    {{"straighten", Collapse::straighten}, {"keep", Collapse::keep}, {"paper", Collapse::paper}}};
 inline constexpr std::array<Named<Placement>, 2> kPlacementNames = {
     {{"distance_field", Placement::distance_field}, {"crossing", Placement::crossing}}};
 inline constexpr std::array<Named<Arithmetic>, 3> kArithmeticNames = {

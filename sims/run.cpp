@@ -13,6 +13,7 @@
 #include "sims/output/colours.h"
 #include "sims/output/render.h"
 #include "sims/output/report_json.h"
+#include "sims/stepper.h"
 #include "sims/version.h"
 
 namespace suture {
@@ -23,12 +24,12 @@ namespace fs = std::filesystem;
 
 constexpr int kReportEvery = 10;  // steps; what a killed run may lack of its report
 
-class Run {
+class Run : public StepWatcher {
  public:
   Run(Scene& scene, const fs::path& folder)
       : scene_(scene),
         folder_(folder),
-        tracker_(scene.surface, with_reproducers(scene.tracker, folder)),
+        stepper_(scene, with_reproducers(scene.tracker, folder)),
         freshness_(scene.surface.positions.size(), 0.0) {
     fading_ = scene.output.patch_fading > 0 ? scene.output.patch_fading : scene.time.end / 10;
     if (!scene.output.picture.fit && scene.output.fit == Fit::first)
@@ -44,11 +45,14 @@ class Run {
     const std::int64_t steps = scene_.time.steps();
     try {
       record(0);
-      for (std::int64_t i = 1; i <= steps && !vanished(); ++i) {
-        step(i);
+      for (std::int64_t i = 1; i <= steps && !stepper_.vanished(); ++i) {
+        current_ = i;
+        stepper_.step(i, *this);
+        summary_.steps = i;
         const std::size_t parts = record(i);
         if (watcher != nullptr)
-          watcher->stepped({i, steps, tracker_.time(), tracker_.surface().triangles.size(), parts});
+          watcher->stepped(
+              {i, steps, stepper_.tracker().time(), surface().triangles.size(), parts});
       }
     } catch (const InvalidInput& error) {
       stop(error.what());
@@ -56,13 +60,13 @@ class Run {
           fmt::format("{}: step {}: {}", scene_.file.string(), current_, error.what()));
     } catch (const std::exception& error) {
       const fs::path mesh = folder_ / "reproducer.ply";
-      write_triangles(mesh, tracker_.surface());
+      write_triangles(mesh, surface());
       stop(error.what());
       throw InternalFailure(
           fmt::format("step {}", current_),
           fmt::format("{}; the surface is saved as {}", error.what(), mesh.string()));
     }
-    summary_.audit = audit(tracker_.surface());
+    summary_.audit = audit(surface());
     report_["audit"] = to_json(summary_.audit);
     stop("");
     return summary_;
@@ -82,42 +86,16 @@ class Run {
                          "); choose another");
   }
 
-  /// Whether nothing is left to move: every part got thinner than a cell and was split away.
-  bool vanished() const { return tracker_.surface().triangles.empty(); }
-
-  void step(std::int64_t index) {
-    current_ = index;
-    const TimeOptions& time = scene_.time;
-    const double until = std::min(static_cast<double>(index) * time.step, time.end);
-    const double dt = until - tracker_.time();
-    phase().advance(tracker_, dt);
+  void moved(double dt) override {
     for (double& f : freshness_) f = fading_ > 0 ? std::max(0.0, f - dt / fading_) : 0.0;
-    const bool last = index == time.steps();
-    if (time.remodel_every > 0 && (index % time.remodel_every == 0 || last)) remodel(index);
-    if (time.improve_every > 0 && (index % time.improve_every == 0 || last) && !vanished())
-      improve(index);
-    summary_.steps = index;
   }
 
-  Motion& phase() {
-    const double middle = tracker_.time() + 0.5 * scene_.time.step;
-    for (Phase& phase : scene_.phases)
-      if (middle < phase.until) return *phase.motion;
-    return *scene_.phases.back().motion;
-  }
-
-  void remodel(std::int64_t index) {
-    const SurgeryReport r = tracker_.remodel();
-    json record = to_json(r);
-    record["step"] = index;
-    record["time"] = tracker_.time();
-    report_["remodels"].push_back(std::move(record));
+  void remodelled(const SurgeryReport& r) override {
+    note("remodels", to_json(r));
     ++summary_.remodels;
-    if (r.outcome == Outcome::refused) {
-      if (summary_.refused++ == 0) {
-        summary_.reproducer = r.reproducer;
-        summary_.failure = r.failure;
-      }
+    if (r.outcome == Outcome::refused && summary_.refused++ == 0) {
+      summary_.reproducer = r.reproducer;
+      summary_.failure = r.failure;
     }
     if (r.outcome != Outcome::committed) return;
     ++summary_.committed;
@@ -125,7 +103,7 @@ class Run {
       summary_.merges += r.components_before - r.components_after;
     else
       summary_.splits += r.components_after - r.components_before;
-    surface_changed(r.vertex_map);
+    freshness_ = carried(freshness_, 0.0, surface(), r.vertex_map);
     std::vector<char> old(freshness_.size(), 0);
     for (const std::uint32_t v : r.vertex_map)
       if (v != kNone) old[v] = 1;
@@ -133,41 +111,39 @@ class Run {
       if (old[v] == 0) freshness_[v] = 1;
   }
 
-  void improve(std::int64_t index) {
-    const QualityReport r = tracker_.improve();
-    json record = to_json(r);
-    record["step"] = index;
-    record["time"] = tracker_.time();
-    report_["improvements"].push_back(std::move(record));
-    surface_changed(r.vertex_map);
+  void improved(const QualityReport& r) override {
+    note("improvements", to_json(r));
+    freshness_ = carried(freshness_, 0.0, surface(), r.vertex_map);
   }
 
-  void surface_changed(const std::vector<std::uint32_t>& vertex_map) {
-    const Triangles& surface = tracker_.surface();
-    freshness_ = carried(freshness_, 0.0, surface, vertex_map);
-    for (Phase& phase : scene_.phases) phase.motion->surface_changed(surface, vertex_map);
+  /// Adds what a call of the tracker did to the report's list of this name.
+  void note(const char* list, json record) {
+    record["step"] = current_;
+    record["time"] = stepper_.tracker().time();
+    report_[list].push_back(std::move(record));
   }
+
+  const Triangles& surface() const { return stepper_.tracker().surface(); }
 
   /// Writes what this step is to leave. \return the number of components
   std::size_t record(std::int64_t index) {
-    const Triangles& surface = tracker_.surface();
-    json now = measured(surface);
+    json now = measured(surface());
     now["step"] = index;
-    now["time"] = tracker_.time();
+    now["time"] = stepper_.tracker().time();
     now["seconds"] = watch_.lap();
     const auto parts = now["components"].get<std::size_t>();
     const OutputOptions& output = scene_.output;
-    const bool mesh = output.meshes.wants(index, scene_.time) && !vanished();
+    const bool mesh = output.meshes.wants(index, scene_.time) && !stepper_.vanished();
     const bool picture = output.pictures.wants(index, scene_.time);
     if (mesh) {
       const std::string name = fmt::format("{:05}.{}", index, output.mesh_format);
-      write_triangles(folder_ / name, surface);
+      write_triangles(folder_ / name, surface());
       now["mesh"] = name;
       ++summary_.meshes;
     }
     if (picture) {
       const std::string name = fmt::format("{:05}.png", index);
-      render_png(surface, colours(), output.picture, folder_ / name);
+      render_png(surface(), colours(), output.picture, folder_ / name);
       now["picture"] = name;
       ++summary_.pictures;
     }
@@ -179,16 +155,16 @@ class Run {
 
   TriangleColours colours() const {
     if (scene_.output.colour == Colour::plain) return {};
-    if (scene_.output.colour == Colour::components) return component_colours(tracker_.surface());
-    return patch_colours(tracker_.surface(), freshness_);
+    if (scene_.output.colour == Colour::components) return component_colours(surface());
+    return patch_colours(surface(), freshness_);
   }
 
   /// Brings the report up to date; `failure` says why the run ends here, or nothing.
   void stop(const std::string& failure) {
     const RunSummary& s = summary_;
     report_["summary"] = {
-        {"finished", (s.steps == scene_.time.steps() || vanished()) && failure.empty()},
-        {"vanished", vanished()},
+        {"finished", (s.steps == scene_.time.steps() || stepper_.vanished()) && failure.empty()},
+        {"vanished", stepper_.vanished()},
         {"steps", s.steps},
         {"steps_asked", scene_.time.steps()},
         {"remodels", s.remodels},
@@ -202,7 +178,7 @@ class Run {
 
   Scene& scene_;
   fs::path folder_;
-  Tracker tracker_;
+  Stepper stepper_;
   std::vector<double> freshness_;  ///< of each vertex: 1 as surgery made it, fading to 0
   double fading_ = 0;
   std::int64_t current_ = 0;  ///< the step at work

@@ -9,6 +9,7 @@
 #include <limits>
 
 #include "kernel/errors.h"
+#include "kernel/files.h"
 #include "kernel/measures.h"
 #include "kernel/shapes.h"
 #include "kernel/transform.h"
@@ -86,6 +87,8 @@ TrackerOptions read_tracker(Keys keys) {
   t.placement = keys.choice("placement", kPlacementNames, t.placement);
   t.arithmetic = keys.choice("arithmetic", kArithmeticNames, t.arithmetic);
   t.jitter = keys.number("jitter", Range::between(0, 0.1), t.jitter);
+  t.most_restarts = static_cast<int>(keys.integer(
+      "most_restarts", Range::between(0, std::numeric_limits<int>::max()), t.most_restarts));
   t.straighten_turn = keys.number("straighten_turn", Range::between(0, 180), t.straighten_turn);
   keys.done();
   return t;
@@ -194,6 +197,16 @@ std::vector<Phase> read_phases(TomlTable& scene, const std::vector<Point>& veloc
   return phases;
 }
 
+void apply(const SceneChanges& changes, TomlTable& toml) {
+  for (const auto& [name, value] : changes) {
+    const std::size_t dot = name.find('.');
+    const std::string inner = name.substr(0, dot);
+    const TomlTable empty = table(toml, inner);
+    toml.tables.emplace(inner, empty)
+        .first->second.keys.put(name.substr(dot + 1), value, "a change of the scene");
+  }
+}
+
 }  // namespace
 
 std::int64_t TimeOptions::steps() const {
@@ -212,9 +225,17 @@ bool Every::wants(std::int64_t index, const TimeOptions& time) const {
   return false;
 }
 
-Scene read_scene(const std::filesystem::path& file) {
-  TomlTable toml = read_toml(file);
+Scene read_scene(const std::filesystem::path& file, const SceneChanges& changes) {
+  if (!std::filesystem::is_regular_file(file))
+    throw InvalidInput(file.string() + ": there is no such file; give a scene's path");
+  return parse_scene(read_file(file), file, {}, changes);
+}
+
+Scene parse_scene(const std::string& text, const std::filesystem::path& file,
+                  const SceneSources& sources, const SceneChanges& changes) {
+  TomlTable toml = parse_toml(text, file);
   toml.allow_tables({"bodies", "motion", "tracker", "quality", "time", "meshes", "pictures"});
+  apply(changes, toml);
   Scene scene;
   scene.file = file;
   scene.title = toml.keys.text("title", file.stem().string());
@@ -224,7 +245,7 @@ Scene read_scene(const std::filesystem::path& file) {
   scene.time = read_time(table(toml, "time").keys);
   read_meshes(table(toml, "meshes").keys, scene.output);
   read_pictures(table(toml, "pictures").keys, scene.output);
-  Bodies bodies = read_bodies(toml, file.parent_path());
+  Bodies bodies = read_bodies(toml, file.parent_path(), sources);
   scene.surface = std::move(bodies.surface);
   scene.notes = std::move(bodies.notes);
   require_affordable(scene, toml);

@@ -9,6 +9,7 @@
 
 #include "sims/flows/motion.h"
 #include "sims/output/picture.h"
+#include "sims/scene_sources.h"
 #include "surgery/options.h"
 
 namespace suture {
@@ -59,14 +60,22 @@ struct Scene {
   OutputOptions output;
 };
 
+/// Values in place of a scene file's own, by table and key: "tracker.cell_size".
+using SceneChanges = std::map<std::string, Value>;
+
 /// Reads a scene from a TOML file, and its meshes from paths relative to that file. Models are
-/// looked for in $SUTURE_MODELS and in data/models beside the folder of the scene.
+/// looked for in $SUTURE_MODELS and in data/models beside the folder of the scene. `changes` are
+/// read, and refused, as if they stood in the file.
 /// \throw InvalidInput with file, line, key and what is allowed, for anything unknown, of a wrong
 /// type, out of range, or missing; and for a body that is not a closed oriented manifold
-Scene read_scene(const std::filesystem::path& file);
+Scene read_scene(const std::filesystem::path& file, const SceneChanges& changes = {});
 
 /// The tables [tracker] and [quality], which may hold nothing else. \throw InvalidInput likewise
 TrackerOptions read_tracker(Keys keys);
 QualityOptions read_quality(Keys keys);
+
+/// The scene in a text, as if it stood in `file`, which need not be there. \throw as read_scene
+Scene parse_scene(const std::string& text, const std::filesystem::path& file,
+                  const SceneSources& sources = {}, const SceneChanges& changes = {});
 
 }  // namespace suture

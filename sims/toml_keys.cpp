@@ -4,29 +4,68 @@
 #include <fmt/format.h>
 #include <toml++/toml.h>
 
+#include <algorithm>
+
 #include "kernel/errors.h"
 
 namespace suture {
 namespace {
+
+// Scenes have names of three parts, and tables in lists of tables. Without bounds one name of some
+// 100,000 parts takes the stack: toml++ 3.3 bounds how deep values are nested, but not names.
+constexpr int kMostParts = 16, kDeepest = 16;
+
+/// Where the text in quotes that starts at `begin` ends: one line, or more between three quotes.
+std::size_t end_of_quoted(std::string_view text, std::size_t begin) {
+  const char quote = text[begin];
+  const bool lines = text.substr(begin, 3) == std::string(3, quote);
+  for (std::size_t i = begin + (lines ? 3 : 1); i < text.size(); ++i) {
+    if (text[i] == '\\' && quote == '"')
+      ++i;
+    else if (lines ? text.substr(i, 3) == std::string(3, quote) : text[i] == quote)
+      return i + (lines ? 3 : 1);
+    else if (!lines && text[i] == '\n')
+      return i;
+  }
+  return text.size();
+}
+
+/// \throw InvalidInput if a name such as a.b.c has more than kMostParts parts
+void require_short_names(std::string_view text, const std::string& file) {
+  int dots = 0;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (text[i] == '#') i = std::min(text.find('\n', i), text.size() - 1);
+    if (text[i] == '"' || text[i] == '\'') i = end_of_quoted(text, i) - 1;
+    if (std::string_view("\n=,[]{}").find(text[i]) != std::string_view::npos) dots = 0;
+    if (text[i] == '.' && ++dots >= kMostParts)
+      throw InvalidInput(fmt::format("{}:{}: a name has more than {} parts; no scene needs such",
+                                     file, 1 + std::count(text.begin(), text.begin() + i, '\n'),
+                                     kMostParts));
+  }
+}
 
 /// Turns one parsed TOML table, and all in it, into ours.
 class Converter {
  public:
   explicit Converter(std::string file) : file_(std::move(file)) {}
 
-  TomlTable table(const toml::table& from, const std::string& name) const {
+  TomlTable table(const toml::table& from, const std::string& name, int depth = 0) const {
+    if (depth > kDeepest)
+      throw InvalidInput(fmt::format("{}: tables are nested more than {} deep; no scene needs such",
+                                     place(from), kDeepest));
     std::map<std::string, Keys::Entry> entries;
     TomlTable result{Keys({}, name, place(from)), {}, {}, {}, place(from)};
     for (const auto& [key, node] : from) {
       const std::string k(key.str());
       const std::string full = name.empty() ? k : name + "." + k;
       if (const toml::table* inner = node.as_table()) {
-        result.tables.emplace(k, table(*inner, full));
+        result.tables.emplace(k, table(*inner, full, depth + 1));
         result.places.emplace(k, place(node));
       } else if (node.is_array_of_tables()) {
         for (const toml::node& item : *node.as_array()) {
           auto& list = result.lists[k];
-          list.push_back(table(*item.as_table(), fmt::format("{}[{}]", full, list.size())));
+          list.push_back(
+              table(*item.as_table(), fmt::format("{}[{}]", full, list.size()), depth + 1));
         }
         result.places.emplace(k, place(node));
       } else {
@@ -76,11 +115,10 @@ void TomlTable::allow_tables(const std::vector<std::string>& known) const {
   }
 }
 
-TomlTable read_toml(const std::filesystem::path& file) {
-  if (!std::filesystem::is_regular_file(file))
-    throw InvalidInput(file.string() + ": there is no such file; give a scene's path");
+TomlTable parse_toml(const std::string& text, const std::filesystem::path& file) {
+  require_short_names(text, file.string());
   try {
-    const toml::table parsed = toml::parse_file(file.string());
+    const toml::table parsed = toml::parse(text, file.string());
     return Converter(file.string()).table(parsed, "");
   } catch (const toml::parse_error& error) {
     throw InvalidInput(

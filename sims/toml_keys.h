@@ -21,7 +21,7 @@ struct TomlTable {
   void allow_tables(const std::vector<std::string>& known) const;
 };
 
-/// \throw InvalidInput if the file cannot be read or is not TOML, with the line
-TomlTable read_toml(const std::filesystem::path& file);
+/// `file` is the name for messages. \throw InvalidInput if the text is not TOML, with the line
+TomlTable parse_toml(const std::string& text, const std::filesystem::path& file);
 
 }  // namespace suture

@@ -7,8 +7,9 @@
 
 namespace suture {
 
-/// Why an operation was refused, or `none`.
-enum class Refusal { none, link, normal, node, volume, feature };
+/// Why an operation was refused, or `none`. `premature`: it would join two type 1 vertices before
+/// the arc between them is due [§6.2].
+enum class Refusal { none, link, normal, node, volume, feature, premature };
 
 /// The limits of one operation; lengths and volumes in the scene's unit.
 struct CollapseRules {

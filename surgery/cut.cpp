@@ -31,8 +31,11 @@ Touch touch(const CutInput& in, const std::vector<char>& vertex_in, std::uint32_
 /// neighbour.
 class Cutter {
  public:
-  Cutter(const CutInput& input, Pieces pieces, Sites& sites)
-      : in_(input), sites_(sites), inserted_(input.crossings.edge_crossings.size(), 0) {
+  Cutter(const CutInput& input, const CutOptions& options, Sites& sites)
+      : in_(input),
+        options_(options),
+        sites_(sites),
+        inserted_(input.crossings.edge_crossings.size(), 0) {
     std::vector<char> vertex_in;  // whether each vertex is in the region
     vertex_in.reserve(in_.crossings.vertex_cell.size());
     for (const Index3& cell : in_.crossings.vertex_cell)
@@ -41,7 +44,8 @@ class Cutter {
       const Touch how = touch(in_, vertex_in, t);
       if (how == Touch::inside) inside_.push_back(t);
       if (how == Touch::partly) waiting_.push_back(t);
-      if (how == Touch::partly && pieces == Pieces::cell_by_cell) split_.insert_or_assign(t, 1);
+      if (how == Touch::partly && options.pieces == Pieces::cell_by_cell)
+        split_.insert_or_assign(t, 1);
     }
     for (const auto& [t, unused] : split_) insert_all(t);
   }
@@ -49,15 +53,16 @@ class Cutter {
   CutMesh run() {
     for (std::size_t next = 0; next < waiting_.size(); ++next) cut_triangle(waiting_[next]);
     CutMesh result;
-    result.touched = std::move(inside_);
+    for (const std::uint32_t t : inside_)
+      if (!done_.contains(t)) result.whole.push_back(t);  // else a split neighbour had it cut too
+    result.touched = result.whole;
     for (const auto& [t, kept] : done_) {
       result.touched.push_back(t);
+      result.dropped.insert(result.dropped.end(), kept.dropped.begin(), kept.dropped.end());
       result.kept.insert(result.kept.end(), kept.triangles.begin(), kept.triangles.end());
       result.boundary.insert(result.boundary.end(), kept.arcs.begin(), kept.arcs.end());
     }
     std::sort(result.touched.begin(), result.touched.end());
-    result.touched.erase(std::unique(result.touched.begin(), result.touched.end()),
-                         result.touched.end());  // a split triangle's neighbour may be inside
     result.split_triangles = split_.size();
     return result;
   }
@@ -66,16 +71,21 @@ class Cutter {
   void cut_triangle(std::uint32_t t) {
     const TrianglePieces pieces =
         triangle_pieces(in_.mesh, t, in_.lattice, in_.oracle, in_.crossings);
-    KeptPieces kept(in_, t, pieces, sites_);
+    KeptPieces kept(in_, t, pieces, sites_), dropped(in_, t, pieces, sites_, Part::inside);
+    const bool inside_too = options_.inside == Inside::made;
     if (!split_.contains(t)) {
-      if (auto merged = kept.merged(inserted_)) {
-        done_[t] = {std::move(*merged), kept.arcs()};
+      auto merged = kept.merged(inserted_);
+      if (merged && inside_too) dropped.avoid(*merged);
+      auto below = inside_too ? dropped.merged(inserted_) : std::optional(std::vector<Triangle>{});
+      if (merged && below) {
+        done_[t] = {std::move(*merged), std::move(*below), kept.arcs()};
         return;
       }
       split_.emplace(t, 1);
       insert_all(t);
     }
-    done_[t] = {kept.cell_by_cell(), kept.arcs()};
+    done_[t] = {kept.cell_by_cell(), inside_too ? dropped.cell_by_cell() : std::vector<Triangle>{},
+                kept.arcs()};
   }
 
   /// Every crossing of the triangle's edges becomes a vertex, so its neighbours must be cut again.
@@ -94,10 +104,11 @@ class Cutter {
   }
 
   struct Kept {
-    std::vector<Triangle> triangles;
+    std::vector<Triangle> triangles, dropped;
     std::vector<Arc> arcs;
   };
   const CutInput& in_;
+  CutOptions options_;
   Sites& sites_;
   std::vector<char> inserted_;  // by edge crossing: a vertex although no region boundary is there
   std::vector<std::uint32_t> inside_, waiting_;
@@ -107,8 +118,8 @@ class Cutter {
 
 }  // namespace
 
-CutMesh cut(const CutInput& input, Pieces pieces, Sites& sites) {
-  return Cutter(input, pieces, sites).run();
+CutMesh cut(const CutInput& input, const CutOptions& options, Sites& sites) {
+  return Cutter(input, options, sites).run();
 }
 
 }  // namespace suture

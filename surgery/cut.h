@@ -23,12 +23,22 @@ struct CutMesh {
   std::vector<Triangle> kept;          ///< sites: the touched triangles' parts outside the region
   std::vector<Arc> boundary;           ///< on the region's boundary
   std::size_t split_triangles = 0;     ///< of the touched, those kept cell by cell
+  std::vector<std::uint32_t> whole;    ///< of the touched, those in the region as they are
+  std::vector<Triangle> dropped;       ///< sites: the other parts in the region, if asked for
 };
 
 /// How far a cut triangle's pieces are merged into polygons.
 enum class Pieces {
   merged,  ///< where that is safe: few new triangles, proved only up to rounded orientation tests
   cell_by_cell  ///< one polygon a cell, everywhere: proved without any rounding
+};
+
+/// Whether the parts in the region are made too, for a collapse before they are dropped.
+enum class Inside { dropped, made };
+
+struct CutOptions {
+  Pieces pieces = Pieces::merged;
+  Inside inside = Inside::dropped;
 };
 
 struct CutInput {
@@ -40,6 +50,6 @@ struct CutInput {
 };
 
 /// \throw InternalFailure as triangle_pieces
-CutMesh cut(const CutInput& input, Pieces pieces, Sites& sites);
+CutMesh cut(const CutInput& input, const CutOptions& options, Sites& sites);
 
 }  // namespace suture

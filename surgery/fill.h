@@ -14,12 +14,12 @@ struct Patch {
   std::size_t loops = 0, centroids = 0;
 };
 
-/// All arcs round the faces of the region's cells: the mesh's own on boundary faces, marching
+/// All arcs round the faces of the region's cells: `boundary` on boundary faces, marching
 /// squares on interior ones, where inside corners of an ambiguous face are kept apart in both
 /// cells. Adds the sites of isosurface vertices, unplaced. \throw InternalFailure if the windings
 /// contradict the crossings
-std::vector<Arc> gather_arcs(const CutMesh& cut, const Region& region, const Winding& winding,
-                             Sites& sites);
+std::vector<Arc> gather_arcs(std::vector<Arc> boundary, const Region& region,
+                             const Winding& winding, Sites& sites);
 
 /// Links the arcs of each cell to loops and triangulates them; no diagonal joins two vertices of
 /// one lattice face. \pre every site has its position \throw InternalFailure if arcs do not close

@@ -126,6 +126,7 @@ std::size_t flatten_caps(Improvement& work) {
       collapse(mesh, mesh.halfedge(v, stay));
     }
   }
+  work.report.flattened += done;
   return done;
 }
 

@@ -44,12 +44,18 @@ int edges_at(const TrianglePieces& pieces, std::uint32_t site) {
 }  // namespace
 
 KeptPieces::KeptPieces(const CutInput& input, std::uint32_t triangle, const TrianglePieces& pieces,
-                       Sites& sites)
+                       Sites& sites, Part part)
     : in_(input),
       triangle_(triangle),
       pieces_(pieces),
       sites_(sites),
+      part_(part),
       global_(3 + pieces.edge_sites.size() + pieces.line_sites.size(), kNone) {}
+
+void KeptPieces::avoid(const std::vector<Triangle>& outside) {
+  for (const Triangle& t : outside)
+    for (std::size_t k = 0; k < 3; ++k) taken_.insert(std::minmax(t[k], t[(k + 1) % 3]));
+}
 
 std::uint32_t KeptPieces::global(std::uint32_t local) {
   std::uint32_t& id = global_[local];
@@ -123,11 +129,28 @@ std::vector<std::uint32_t> KeptPieces::components() const {
 
 bool KeptPieces::forbidden(std::uint32_t a, std::uint32_t b) const {
   if ((edges_at(pieces_, a) & edges_at(pieces_, b)) != 0) return true;
+  if (part_ == Part::inside) return taken_.contains(std::minmax(global_[a], global_[b]));
   const NearCells x = near_cells(pieces_, a, in_), y = near_cells(pieces_, b, in_);
   for (int i = 0; i < x.count; ++i)
     for (int j = 0; j < y.count; ++j)
       if (x.cells[i] == y.cells[j]) return true;
   return false;
+}
+
+/// Whether triangles from so many corners across the whole of the cut one could cross the lattice
+/// as often as its length squared, where its own cells follow its length.
+bool KeptPieces::is_too_long(std::size_t corners) const {
+  if (corners <= kMostDynamicCorners) return false;
+  constexpr double kMost = 64;  // × the sides of the triangle's pieces
+  const Triangle& v = in_.mesh.triangles[triangle_];
+  double extent = 0;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const auto [low, high] =
+        std::minmax({in_.crossings.vertex_cell[v[0]][axis], in_.crossings.vertex_cell[v[1]][axis],
+                     in_.crossings.vertex_cell[v[2]][axis]});
+    extent += high - low;
+  }
+  return static_cast<double>(corners) * extent > kMost * static_cast<double>(pieces_.sides.size());
 }
 
 std::optional<std::vector<Triangle>> KeptPieces::triangulate(
@@ -146,6 +169,7 @@ std::optional<std::vector<Triangle>> KeptPieces::triangulate(
       indices.push_back(corner[site]);
     }
   }
+  if (is_too_long(region.corners.size())) return std::nullopt;
   const Triangle& v = in_.mesh.triangles[triangle_];
   const auto& p = in_.mesh.positions;
   const Point u = p[v[1]] / 2 - p[v[0]] / 2, w = p[v[2]] / 2 - p[v[0]] / 2;

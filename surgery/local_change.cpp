@@ -1,8 +1,6 @@
 // Normals, lattice nodes and volume of one local operation [§6.2].
 #include "surgery/local_change.h"
 
-#include <CGAL/boost/graph/Euler_operations.h>
-
 #include <algorithm>
 #include <cmath>
 
@@ -108,15 +106,31 @@ void count_refusal(CollapseCounts& counts, Refusal refusal) {
     case Refusal::feature:
       ++counts.refused_feature;
       break;
+    case Refusal::premature:
+      ++counts.delayed;
+      break;
   }
 }
 
-LocalChange collapse_change(const Mesh& mesh, Mesh::Halfedge_index h, const Point& to) {
+void add_to(CollapseCounts& sum, const CollapseCounts& counts) {
+  sum.done += counts.done;
+  sum.delayed += counts.delayed;
+  sum.blocked += counts.blocked;
+  sum.refused_link += counts.refused_link;
+  sum.refused_normal += counts.refused_normal;
+  sum.refused_node += counts.refused_node;
+  sum.refused_volume += counts.refused_volume;
+  sum.refused_feature += counts.refused_feature;
+}
+
+LocalChange collapse_change(const Mesh& mesh, Mesh::Halfedge_index h, const Point& to,
+                            const FaceMarks* doomed) {
   LocalChange change;
   const auto add_star = [&](Mesh::Vertex_index v, bool first) {
     const Point from = to_point(mesh.point(v));
     if (from == to) return;
     for (const auto g : mesh.halfedges_around_target(mesh.halfedge(v))) {
+      if (doomed && (*doomed)[mesh.face(g)] != 0) continue;
       const bool goes = around(mesh, g, h);
       if (goes && !first) continue;
       const Point a = to_point(mesh.point(mesh.target(mesh.next(g))));
@@ -130,11 +144,43 @@ LocalChange collapse_change(const Mesh& mesh, Mesh::Halfedge_index h, const Poin
   return change;
 }
 
+namespace {
+
+/// Without a walk round the whole star: a vertex may have any number of triangles.
+bool has_three_or_fewer(const Mesh& mesh, Mesh::Vertex_index v) {
+  const auto first = mesh.halfedge(v);
+  auto h = first;
+  for (int i = 0; i < 3; ++i)
+    if ((h = mesh.next_around_target(h)) == first) return true;
+  return false;
+}
+
+/// No vertex but those across from `h` is a neighbour of both its ends. CGAL's own test walks the
+/// stars of all neighbours too, which takes the square of the valence round a vertex of a great
+/// one.
+bool satisfies_link_condition(const Mesh& mesh, Mesh::Halfedge_index h) {
+  boost::container::small_vector<Mesh::Vertex_index, 24> around;
+  for (const auto g : mesh.halfedges_around_target(mesh.opposite(h)))
+    around.push_back(mesh.source(g));
+  std::sort(around.begin(), around.end());
+  const auto left = mesh.target(mesh.next(h));
+  const auto right = mesh.target(mesh.next(mesh.opposite(h)));
+  for (const auto g : mesh.halfedges_around_target(h)) {
+    const auto v = mesh.source(g);
+    if (v != left && v != right && std::binary_search(around.begin(), around.end(), v))
+      return false;
+  }
+  return true;
+}
+
+}  // namespace
+
 bool keeps_manifold(const Mesh& mesh, Mesh::Halfedge_index h) {
   const auto left = mesh.target(mesh.next(h));
   const auto right = mesh.target(mesh.next(mesh.opposite(h)));
-  if (left == right || mesh.degree(left) <= 3 || mesh.degree(right) <= 3) return false;
-  return CGAL::Euler::does_satisfy_link_condition(mesh.edge(h), mesh);
+  if (left == right || has_three_or_fewer(mesh, left) || has_three_or_fewer(mesh, right))
+    return false;
+  return satisfies_link_condition(mesh, h);
 }
 
 namespace {
@@ -145,27 +191,36 @@ struct HalfSpace {
   Point normal, at;
   double noise;  // of the normal's components
 
-  HalfSpace(const Point& a, const Point& b, const Point& c, int side)
-      : normal((b - a).cross(c - a) * side), at(a) {
+  /// \param unit a power of two that brings the differences near 1, so that neither their products
+  /// nor a quotient leaves the doubles at any scale of the mesh
+  HalfSpace(const Point& a, const Point& b, const Point& c, int side, double unit) : at(a) {
     constexpr double kRounding = 0x1p-48;  // a few bits of the products in the cross product
-    noise = kRounding * (b - a).lpNorm<1>() * (c - a).lpNorm<1>();
+    constexpr double kUnderflow = 0x1p-1060;
+    const Point s = (b - a) * unit, t = (c - a) * unit;
+    normal = s.cross(t) * side;
+    noise = kRounding * s.lpNorm<1>() * t.lpNorm<1>() + kUnderflow;
   }
   void bound(const Point& row, int axis, double extent, double& low, double& high) const {
     const double slope = normal[axis];
     constexpr double kTrusted = 0x1p10;  // below it the slope is mostly noise, and says nothing
     if (!(std::abs(slope) > kTrusted * noise)) return;
+    const Point tilt = normal / slope;
     Point across = row - at;
     across[axis] = 0;
-    const double x = at[axis] - normal.dot(across) / slope;
+    const double x = at[axis] - tilt.dot(across);
     const double margin =
-        4 * extent * (noise / std::abs(slope)) * (1 + normal.lpNorm<1>() / std::abs(slope)) +
-        0x1p-40 * extent;
+        4 * extent * (noise / std::abs(slope)) * (1 + tilt.lpNorm<1>()) + 0x1p-40 * extent;
     if (slope > 0)
       low = std::max(low, x - margin);
     else
       high = std::min(high, x + margin);
   }
 };
+
+/// A power of two that brings a length near 1. \pre positive
+double unit_of(double length) {
+  return std::isfinite(length) ? std::ldexp(1.0, std::clamp(-std::ilogb(length), -1000, 1000)) : 1;
+}
 
 }  // namespace
 
@@ -188,8 +243,10 @@ bool holds_node(const Point& a, const Point& b, const Point& c, const Point& d,
     if (range.last[axis] - range.first[axis] > range.last[along] - range.first[along]) along = axis;
   const int u = next_axis(along), v = prev_axis(along);
   const double extent = (high - low).lpNorm<1>();
-  const std::array<HalfSpace, 4> faces = {HalfSpace(a, b, c, sign), HalfSpace(a, c, d, sign),
-                                          HalfSpace(a, d, b, sign), HalfSpace(b, d, c, sign)};
+  const double unit = unit_of(extent);
+  const std::array<HalfSpace, 4> faces = {
+      HalfSpace(a, b, c, sign, unit), HalfSpace(a, c, d, sign, unit),
+      HalfSpace(a, d, b, sign, unit), HalfSpace(b, d, c, sign, unit)};
   Index3 at;
   for (at[u] = range.first[u]; at[u] <= range.last[u]; ++at[u])
     for (at[v] = range.first[v]; at[v] <= range.last[v]; ++at[v]) {

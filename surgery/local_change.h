@@ -37,8 +37,15 @@ Refusal judge(const LocalChange& change, const CollapseRules& rules);
 /// One more refused for that reason; nothing for `none`.
 void count_refusal(CollapseCounts& counts, Refusal refusal);
 
-/// The change that collapses the source of `h` onto its target and puts that at `to`.
-LocalChange collapse_change(const Mesh& mesh, Mesh::Halfedge_index h, const Point& to);
+void add_to(CollapseCounts& sum, const CollapseCounts& counts);
+
+/// Marks on faces; not 0: marked.
+using FaceMarks = Mesh::Property_map<Mesh::Face_index, char>;
+
+/// The change that collapses the source of `h` onto its target and puts that at `to`; without the
+/// faces that `doomed` marks, which are about to be dropped.
+LocalChange collapse_change(const Mesh& mesh, Mesh::Halfedge_index h, const Point& to,
+                            const FaceMarks* doomed = nullptr);
 
 /// Link condition of a closed triangle mesh, complete: the mesh stays a 2-manifold and no component
 /// vanishes.

@@ -44,9 +44,9 @@ void march(LatticeId face, int axis, const Winding& winding, Sites& sites, std::
 
 }  // namespace
 
-std::vector<Arc> gather_arcs(const CutMesh& cut, const Region& region, const Winding& winding,
-                             Sites& sites) {
-  std::vector<Arc> arcs = cut.boundary;
+std::vector<Arc> gather_arcs(std::vector<Arc> boundary, const Region& region,
+                             const Winding& winding, Sites& sites) {
+  std::vector<Arc> arcs = std::move(boundary);
   for (const LatticeId cell : region.cells.keys())
     for (int axis = 0; axis < 3; ++axis) {
       const LatticeId above = step(cell, axis, 1);

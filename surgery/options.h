@@ -18,7 +18,8 @@ enum class CellTest { deep, plain };
 /// What becomes of type 2 vertices, and when [§6.1 step 3, §6.2].
 enum class Collapse {
   straighten,  ///< they collapse after the fill: nothing can gridlock
-  keep         ///< none goes: outside the region the old mesh stays to the last bit
+  keep,        ///< none goes: outside the region the old mesh stays to the last bit
+  paper        ///< they collapse before the fill; on gridlock the region grows and all starts again
 };
 
 /// Where the fill's own vertices go along their lattice edge [§6.1 step 5].
@@ -58,6 +59,7 @@ struct TrackerOptions {
   CellTest cell_test = CellTest::deep;
   int depth = 1;  ///< whole cells that a deep cell is away from the isosurface, >= 0
   Collapse collapse = Collapse::straighten;
+  int most_restarts = 100;  ///< of `Collapse::paper`: after so many gridlocks surgery is refused
   Placement placement =
       Placement::crossing;  ///< D is −0.46 % off on two horses at 128, this −0.04 %
   Arithmetic arithmetic = Arithmetic::filtered;

@@ -6,7 +6,6 @@
 #include <cmath>
 #include <numbers>
 #include <numeric>
-#include <optional>
 
 #include "kernel/audit.h"
 #include "kernel/errors.h"
@@ -19,6 +18,8 @@
 #include "surgery/fill.h"
 #include "surgery/invariance.h"
 #include "surgery/jitter.h"
+#include "surgery/local_change.h"
+#include "surgery/paper_order.h"
 #include "surgery/placement.h"
 #include "surgery/region.h"
 #include "surgery/stitch.h"
@@ -51,6 +52,7 @@ struct Detected {
   Lattice lattice;
   Crossings crossings;
   Winding winding;
+  CellSet cells;
   Region region;
 };
 
@@ -73,55 +75,101 @@ std::vector<std::uint32_t> triangles_near(const Detected& d) {
 struct Candidate {
   Mesh mesh;
   Origins origins;
+  std::vector<LatticeId> gridlocked;  ///< cells that the region must take in first [§6.2]
 };
 
-/// Cut, fill, stitch and straighten on a copy of the mesh.
-Candidate operate(const Surface& surface, const Detected& d, Pieces pieces,
-                  const TrackerOptions& options, const Oracle& oracle, SurgeryReport& report,
-                  StageClock& clock) {
-  Sites sites(d.mesh, d.lattice, d.crossings, d.winding, d.region, options.arithmetic);
-  const CutMesh cut_mesh = cut({d.mesh, d.lattice, oracle, d.crossings, d.region}, pieces, sites);
-  clock.ended("cut");
-  const std::vector<Arc> arcs = gather_arcs(cut_mesh, d.region, d.winding, sites);
-  const DistanceField distance(surface.triangles, d.lattice, d.winding,
-                               options.placement == Placement::distance_field
-                                   ? triangles_near(d)
-                                   : std::vector<std::uint32_t>{});
-  place_isosurface(options.placement, d.crossings, d.winding, d.lattice, distance, sites);
-  clock.ended("distance");
-  const Patch patch = fill(arcs, sites);
-  clock.ended("fill");
+/// Adds the sites of the fill to those of the cut, places them, and triangulates the loops.
+Patch fill_region(std::vector<Arc> boundary, const Surface& surface, const Detected& d,
+                  Placement placement, Sites& sites) {
+  const std::vector<Arc> arcs = gather_arcs(std::move(boundary), d.region, d.winding, sites);
+  const DistanceField distance(
+      surface.triangles, d.lattice, d.winding,
+      placement == Placement::distance_field ? triangles_near(d) : std::vector<std::uint32_t>{});
+  place_isosurface(placement, d.crossings, d.winding, d.lattice, distance, sites);
+  return fill(arcs, sites);
+}
 
-  Candidate result{surface.mesh, {}};
-  result.origins = track_origins(result.mesh);
-  const StitchedVertices made = stitch(result.mesh, cut_mesh, patch, sites, result.origins);
-  clock.ended("stitch");
-
+void report_surgery(const CutMesh& cut, const Patch& patch, const StitchedVertices& made,
+                    SurgeryReport& report) {
   report.type1_vertices = made.type1.size();
   report.type2_vertices = made.type2.size();
   report.isosurface_vertices = made.isosurface.size();
   report.centroid_vertices = patch.centroids;
   report.loops = patch.loops;
-  report.triangles_removed = cut_mesh.touched.size();
-  report.triangles_added = cut_mesh.kept.size() + patch.triangles.size();
-  report.split_triangles = cut_mesh.split_triangles;
+  report.triangles_removed = cut.touched.size();
+  report.triangles_added = cut.kept.size() + patch.triangles.size();
+  report.split_triangles = cut.split_triangles;
+}
+
+/// Cut, fill, stitch and collapse on a copy of the mesh, in the order that the options choose.
+Candidate operate(const Surface& surface, const Detected& d, Pieces pieces,
+                  const TrackerOptions& options, const Oracle& oracle, SurgeryReport& report,
+                  StageClock& clock) {
+  const bool paper = options.collapse == Collapse::paper;
+  const CollapseRules rules{&d.lattice, &oracle,
+                            std::cos(options.straighten_turn * std::numbers::pi / 180)};
+  Sites sites(d.mesh, d.lattice, d.crossings, d.winding, d.region, options.arithmetic);
+  CutMesh cut_mesh = cut({d.mesh, d.lattice, oracle, d.crossings, d.region},
+                         {pieces, paper ? Inside::made : Inside::dropped}, sites);
+  clock.ended("cut");
+  Candidate result{surface.mesh, {}, {}};
+  result.origins = track_origins(result.mesh);
+  Sewing sewing(result.mesh, sites, result.origins);
+  if (paper) {
+    OpenedMesh opened = open_in_paper_order(result.mesh, cut_mesh, sites, sewing, rules);
+    clock.ended("collapse");
+    add_to(report.collapses, opened.collapses);
+    report.bent_arcs += opened.bent_arcs;
+    result.gridlocked = std::move(opened.gridlocked);
+    if (!result.gridlocked.empty()) return result;
+    cut_mesh.boundary = std::move(opened.boundary);
+  }
+  const Patch patch = fill_region(cut_mesh.boundary, surface, d, options.placement, sites);
+  clock.ended("fill");
+  if (paper) {
+    sewing.add({&patch.triangles});
+  } else {
+    sewing.remove(cut_mesh.touched);
+    sewing.add({&cut_mesh.kept, &patch.triangles});
+  }
+  clock.ended("stitch");
+  report_surgery(cut_mesh, patch, sewing.made(), report);
   if (options.collapse == Collapse::straighten) {
-    const CollapseRules rules{&d.lattice, &oracle,
-                              std::cos(options.straighten_turn * std::numbers::pi / 180)};
-    report.collapses = straighten(result.mesh, made.type2, made.type1, rules);
+    report.collapses = straighten(result.mesh, sewing.made().type2, sewing.made().type1, rules);
     clock.ended("straighten");
   }
+  if (!paper)
+    report.bent_arcs = bent_arcs(chains_of(cut_mesh.boundary, sites), result.mesh, sewing);
   return result;
 }
 
-std::optional<Region> detect_region(const Crossings& crossings, const Winding& winding,
-                                    const TrackerOptions& options, SurgeryReport& report) {
-  const CellSet cells = find_complex_cells(crossings, winding);
+/// The same until nothing is gridlocked: each time the region grows by the cells across from bent
+/// arcs, and surgery starts again from the uncut mesh [§6.2]. \throw InternalFailure after too many
+Candidate operate_and_regrow(const Surface& surface, Detected& d, Pieces pieces,
+                             const TrackerOptions& options, const Oracle& oracle,
+                             SurgeryReport& report, StageClock& clock) {
+  for (int restarts = 0;; ++restarts) {
+    Candidate candidate = operate(surface, d, pieces, options, oracle, report, clock);
+    if (candidate.gridlocked.empty()) return candidate;
+    if (restarts == options.most_restarts)
+      throw InternalFailure("collapse", "gridlock: arcs are bent still after " +
+                                            std::to_string(restarts) + " restarts");
+    std::vector<LatticeId> seeds = d.region.cells.keys();
+    seeds.insert(seeds.end(), candidate.gridlocked.begin(), candidate.gridlocked.end());
+    const std::size_t before = d.region.cells.size();
+    d.region = grow_region(seeds, d.cells);
+    report.marked.gridlocked += d.region.cells.size() - before;
+    ++report.regrowths;
+  }
+}
+
+/// The region to be re-sampled; empty where topology stays as it is.
+Region detect_region(const CellSet& cells, const Winding& winding, const TrackerOptions& options,
+                     SurgeryReport& report) {
   report.surface_cells = cells.cells.size();
   report.complex_cells = cells.complex_count();
   const std::vector<LatticeId> seeds = find_events(
       cells, winding, {options.events, options.cell_test, options.depth}, report.marked);
-  if (seeds.empty()) return std::nullopt;
   Region region = grow_region(seeds, cells);
   report.marked.flooded = region.cells.size() - seeds.size();
   return region;
@@ -175,12 +223,12 @@ std::unique_ptr<Oracle> judge_for(const TrackerOptions& options) {
 }
 
 /// Merged pieces first; if the audit ever objects, once more cell by cell; then refusal.
-void attempt(Surface& surface, const Detected& d, const TrackerOptions& options,
-             const Oracle& oracle, SurgeryReport& report, StageClock& clock) {
+void attempt(Surface& surface, Detected d, const TrackerOptions& options, const Oracle& oracle,
+             SurgeryReport& report, StageClock& clock) {
   const std::unique_ptr<Oracle> judge = judge_for(options);
   for (const Pieces pieces : {Pieces::merged, Pieces::cell_by_cell}) {
     try {
-      Candidate candidate = operate(surface, d, pieces, options, oracle, report, clock);
+      Candidate candidate = operate_and_regrow(surface, d, pieces, options, oracle, report, clock);
       Adopted adopted = adopt(std::move(candidate.mesh), candidate.origins);
       adopted.vertex_map.resize(surface.triangles.positions.size(), kNone);
       report.failure = objection(surface, adopted, d, judge ? *judge : oracle);
@@ -212,12 +260,13 @@ void detect_and_operate(Surface& surface, const TrackerOptions& options, const O
   clock.ended("crossings");
   Winding winding(crossings);
   clock.ended("winding");
-  std::optional<Region> region = detect_region(crossings, winding, options, report);
+  CellSet cells = find_complex_cells(crossings, winding);
+  Region region = detect_region(cells, winding, options, report);
   clock.ended("detection");
-  if (!region) return;
+  if (region.empty()) return;
   attempt(surface,
           {std::move(mesh), std::move(lattice), std::move(crossings), std::move(winding),
-           std::move(*region)},
+           std::move(cells), std::move(region)},
           options, oracle, report, clock);
 }
 

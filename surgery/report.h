@@ -22,13 +22,16 @@ enum class Outcome {
 struct MarkedCells {
   std::size_t deep_inside = 0, deep_outside = 0, self_intersecting = 0, inverted = 0, plain = 0,
               flooded = 0;
+  std::size_t gridlocked = 0;  ///< by regrowths, with what these flooded [§6.2]
   std::size_t total() const {
-    return deep_inside + deep_outside + self_intersecting + inverted + plain + flooded;
+    return deep_inside + deep_outside + self_intersecting + inverted + plain + flooded + gridlocked;
   }
 };
 
 struct CollapseCounts {
-  std::size_t done = 0, delayed = 0;
+  std::size_t done = 0;
+  std::size_t delayed = 0;  ///< no neighbour to become, or only ones it would join too early [§6.2]
+  std::size_t blocked = 0;  ///< attempts refused, however often the same vertex was tried
   std::size_t refused_link = 0, refused_normal = 0, refused_node = 0, refused_volume = 0,
               refused_feature = 0;
 };
@@ -48,7 +51,8 @@ struct SurgeryReport {
   std::size_t coincident_triangles = 0;  ///< of bodies that were exact copies of others, dropped
   std::size_t split_triangles =
       0;                      ///< cut triangles whose pieces could not be merged into polygons
-  std::size_t regrowths = 0;  ///< times the region grew after its first flood
+  std::size_t bent_arcs = 0;  ///< that kept a type 2 vertex; with Collapse::paper over all tries
+  std::size_t regrowths = 0;  ///< gridlocks: the region grew and surgery started again [§6.2]
   std::size_t recuts = 0;     ///< times the audit asked for a second cut, cell by cell
   CollapseCounts collapses;
   OracleCounts oracle;
@@ -65,6 +69,7 @@ struct SurgeryReport {
 
 struct QualityReport {
   std::size_t subdivisions = 0, flips = 0;
+  std::size_t flattened = 0;  ///< obtuse corners put onto their longest edge
   CollapseCounts collapses;
   std::size_t refused_flips = 0;
   double smallest_angle = 0, shortest_edge = 0, longest_edge = 0;  ///< afterwards; degrees, lengths

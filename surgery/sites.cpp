@@ -57,7 +57,8 @@ Point Sites::crossing_position(int axis, LatticeId edge, std::uint32_t triangle)
 }
 
 std::uint32_t Sites::type1(int axis, LatticeId edge, std::uint32_t triangle) {
-  std::uint32_t& known = region_.cells_round_edge(edge, axis) > 0
+  const int held = region_.cells_round_edge(edge, axis);  // within the region sheets may be many
+  std::uint32_t& known = held > 0 && held < 4
                              ? on_edge_[axis][edge]
                              : kept_[{triangle, static_cast<std::uint64_t>(axis), edge}];
   if (known == 0)

@@ -7,62 +7,46 @@
 
 namespace suture {
 
-namespace {
+Sewing::Sewing(Mesh& mesh, const Sites& sites, Origins& origins)
+    : mesh_(mesh), sites_(sites), origins_(origins) {
+  // Recycling would hand a new vertex the index of a removed one, which a site may still name.
+  mesh_.set_recycle_garbage(false);
+}
 
-/// Sites that some triangle names; the others were asked for on the way only.
-std::vector<char> used_sites(const CutMesh& cut, const Patch& patch, const Sites& sites) {
-  std::vector<char> used(sites.all().size(), 0);
-  for (const auto* triangles : {&cut.kept, &patch.triangles})
+void Sewing::remove(const std::vector<std::uint32_t>& triangles) {
+  for (const std::uint32_t t : triangles)
+    CGAL::Euler::remove_face(mesh_.halfedge(Mesh::Face_index(t)), mesh_);
+}
+
+Mesh::Vertex_index Sewing::make(const Site& site) {
+  const Mesh::Vertex_index old(site.source);
+  if (site.kind == SiteKind::corner && !mesh_.is_removed(old)) return old;
+  const auto v = mesh_.add_vertex(to_cgal(site.position));
+  origins_.vertex[v] = site.kind == SiteKind::corner ? site.source : kNone;
+  if (site.kind == SiteKind::type1) made_.type1.push_back(v);
+  // Straightening would take the others off the edge that they are on, and cut its corners.
+  if (site.kind == SiteKind::type2 && sites_.at_boundary(site)) made_.type2.push_back(v);
+  if (site.kind == SiteKind::isosurface) made_.isosurface.push_back(v);
+  return v;
+}
+
+std::vector<Mesh::Face_index> Sewing::add(
+    std::initializer_list<const std::vector<Triangle>*> groups) {
+  std::vector<char> used(sites_.all().size(), 0);  // other sites were asked for on the way only
+  for (const auto* triangles : groups)
     for (const Triangle& t : *triangles)
       for (const std::uint32_t site : t) used[site] = 1;
-  return used;
-}
-
-std::vector<Mesh::Vertex_index> add_vertices(Mesh& mesh, const Sites& sites,
-                                             const std::vector<char>& used, Origins& origins,
-                                             StitchedVertices& made) {
-  std::vector<Mesh::Vertex_index> vertex(sites.all().size());
-  for (std::size_t s = 0; s < vertex.size(); ++s) {
-    if (used[s] == 0) continue;
-    const Site& site = sites.all()[s];
-    const Mesh::Vertex_index old(site.source);
-    if (site.kind == SiteKind::corner && !mesh.is_removed(old)) {
-      vertex[s] = old;
-      continue;
+  vertex_.resize(used.size(), Mesh::null_vertex());
+  for (std::size_t s = 0; s < used.size(); ++s)
+    if (used[s] != 0 && vertex_[s] == Mesh::null_vertex()) vertex_[s] = make(sites_.all()[s]);
+  std::vector<Mesh::Face_index> faces;
+  for (const auto* triangles : groups)
+    for (const Triangle& t : *triangles) {
+      faces.push_back(mesh_.add_face(vertex_[t[0]], vertex_[t[1]], vertex_[t[2]]));
+      if (faces.back() == Mesh::null_face())
+        throw InternalFailure("stitch", "a triangle would make the mesh non-manifold");
     }
-    const auto v = mesh.add_vertex(to_cgal(site.position));
-    origins.vertex[v] = site.kind == SiteKind::corner ? site.source : kNone;
-    if (site.kind == SiteKind::type1) made.type1.push_back(v);
-    if (site.kind == SiteKind::type2) made.type2.push_back(v);
-    if (site.kind == SiteKind::isosurface) made.isosurface.push_back(v);
-    vertex[s] = v;
-  }
-  return vertex;
-}
-
-void add_triangles(Mesh& mesh, const std::vector<Triangle>& triangles,
-                   const std::vector<Mesh::Vertex_index>& vertex) {
-  for (const Triangle& t : triangles) {
-    const auto face = mesh.add_face(vertex[t[0]], vertex[t[1]], vertex[t[2]]);
-    if (face == Mesh::null_face())
-      throw InternalFailure("stitch", "a triangle would make the mesh non-manifold");
-  }
-}
-
-}  // namespace
-
-StitchedVertices stitch(Mesh& mesh, const CutMesh& cut, const Patch& patch, const Sites& sites,
-                        Origins& origins) {
-  // Recycling would hand a new vertex the index of a removed one, which a site may still name.
-  mesh.set_recycle_garbage(false);
-  for (const std::uint32_t t : cut.touched)
-    CGAL::Euler::remove_face(mesh.halfedge(Mesh::Face_index(t)), mesh);
-  StitchedVertices made;
-  const std::vector<Mesh::Vertex_index> vertex =
-      add_vertices(mesh, sites, used_sites(cut, patch, sites), origins, made);
-  add_triangles(mesh, cut.kept, vertex);
-  add_triangles(mesh, patch.triangles, vertex);
-  return made;
+  return faces;
 }
 
 }  // namespace suture

@@ -2,23 +2,44 @@
 // step 5].
 #pragma once
 
+#include <initializer_list>
 #include <vector>
 
-#include "surgery/cut.h"
-#include "surgery/fill.h"
+#include "surgery/sites.h"
 #include "surgery/surface.h"
 
 namespace suture {
 
-/// Vertices that a stitch made, by kind.
+/// Vertices that sewing made, by kind; of type 2 those on the region's boundary.
 struct StitchedVertices {
   std::vector<Mesh::Vertex_index> type1, type2, isosurface;
 };
 
-/// Replaces `cut.touched` by `cut.kept` and the patch, in place; removed elements stay uncollected.
-/// \pre faces and vertices of `mesh` are numbered as in the incidence that was cut
-/// \throw InternalFailure if a triangle cannot be added; `mesh` is then to be thrown away
-StitchedVertices stitch(Mesh& mesh, const CutMesh& cut, const Patch& patch, const Sites& sites,
-                        Origins& origins);
+/// Takes triangles out of a mesh and sews triangles of sites in, in place; removed elements stay
+/// uncollected. \pre faces and vertices of `mesh` are numbered as in the incidence that was cut
+class Sewing {
+ public:
+  Sewing(Mesh& mesh, const Sites& sites, Origins& origins);
+
+  void remove(const std::vector<std::uint32_t>& triangles);
+
+  /// Adds vertices for the sites that some triangle of a group names and that have none yet, in the
+  /// sites' order, then the triangles, group after group. \return the new faces
+  /// \throw InternalFailure if one cannot be added; `mesh` is then to be thrown away
+  std::vector<Mesh::Face_index> add(std::initializer_list<const std::vector<Triangle>*> groups);
+
+  /// The vertex that stands for a site. \pre some triangle has named it
+  Mesh::Vertex_index vertex(std::uint32_t site) const { return vertex_[site]; }
+  const StitchedVertices& made() const { return made_; }
+
+ private:
+  Mesh::Vertex_index make(const Site& site);
+
+  Mesh& mesh_;
+  const Sites& sites_;
+  Origins& origins_;
+  std::vector<Mesh::Vertex_index> vertex_;
+  StitchedVertices made_;
+};
 
 }  // namespace suture

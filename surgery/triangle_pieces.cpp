@@ -43,8 +43,13 @@ class Walk {
   }
 
   std::uint32_t local(std::uint32_t crossing) const {
-    for (std::uint32_t i = 0; i < out_.edge_sites.size(); ++i)
-      if (out_.edge_sites[i].crossing == crossing) return 3 + i;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::uint32_t e = mesh_.triangle_edges[triangle_][k];
+      const std::uint32_t begin = crossings_.edge_begin[e], end = crossings_.edge_begin[e + 1];
+      if (crossing < begin || crossing >= end) continue;
+      const bool forward = mesh_.edges[e][0] == mesh_.triangles[triangle_][k];
+      return first_site_[k] + (forward ? crossing - begin : end - 1 - crossing);
+    }
     fail("a plane path starts at a crossing that is not on it");
   }
 
@@ -56,6 +61,7 @@ class Walk {
       const bool forward = mesh_.edges[e][0] == v[k];
       LatticeId cell = pack(crossings_.vertex_cell[v[k]]);
       std::uint32_t from = static_cast<std::uint32_t>(k);
+      first_site_[k] = static_cast<std::uint32_t>(3 + out_.edge_sites.size());
       for (std::uint32_t i = 0; i < end - begin; ++i) {
         const std::uint32_t crossing = forward ? begin + i : end - 1 - i;
         const FaceStep& face = crossings_.edge_crossings[crossing];
@@ -165,6 +171,7 @@ class Walk {
   const Oracle& oracle_;
   const Crossings& crossings_;
   TrianglePieces out_;
+  std::array<std::uint32_t, 3> first_site_{};  // of each edge; its crossings follow in order
   std::vector<PlanePath> paths_;
   std::vector<LineStep> steps_;  // of all paths
 };

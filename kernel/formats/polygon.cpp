@@ -12,7 +12,7 @@ namespace {
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Flat = Kernel::Point_2;
 
-// Cutting ears takes quadratic time; what has more corners is a convex cap, or no real mesh.
+// What has more corners is a convex cap, or no real mesh.
 constexpr std::size_t kMostEars = 2000;
 
 struct Corner2 {
@@ -36,14 +36,43 @@ bool covers(const Corner2& a, const Corner2& b, const Corner2& c, const Flat& p)
          CGAL::orientation(c.at, a.at, p) != CGAL::RIGHT_TURN;
 }
 
-bool is_ear(const std::vector<Corner2>& left, std::size_t i) {
-  const std::size_t n = left.size();
-  const Corner2 &a = left[(i + n - 1) % n], &b = left[i], &c = left[(i + 1) % n];
-  if (CGAL::orientation(a.at, b.at, c.at) != CGAL::LEFT_TURN) return false;
-  for (const Corner2& other : left)
-    if (covers(a, b, c, other.at)) return false;
-  return true;
-}
+// A polygon from which ears are cut. Whether a corner is an ear is asked again only where a cut
+// changed its neighbours, so that all cuts together take quadratic time, whatever the polygon.
+class Ears {
+ public:
+  explicit Ears(std::vector<Corner2> corners) : left_(std::move(corners)) {
+    for (std::size_t i = 0; i < left_.size(); ++i) ear_.push_back(is_ear(i));
+  }
+  std::size_t size() const { return left_.size(); }
+
+  Triangle cut() {
+    std::size_t i = 0;
+    while (i < size() && !ear_[i]) ++i;
+    if (i == size()) i = 0;  // no simple polygon: any triangle is as good
+    const Triangle t{left_[before(i)].vertex, left_[i].vertex, left_[after(i)].vertex};
+    left_.erase(left_.begin() + static_cast<std::ptrdiff_t>(i));
+    ear_.erase(ear_.begin() + static_cast<std::ptrdiff_t>(i));
+    const std::size_t next = i % size(), last = before(next);
+    ear_[last] = is_ear(last);
+    ear_[next] = is_ear(next);
+    return t;
+  }
+
+ private:
+  std::size_t before(std::size_t i) const { return (i + size() - 1) % size(); }
+  std::size_t after(std::size_t i) const { return (i + 1) % size(); }
+
+  bool is_ear(std::size_t i) const {
+    const Corner2 &a = left_[before(i)], &b = left_[i], &c = left_[after(i)];
+    if (CGAL::orientation(a.at, b.at, c.at) != CGAL::LEFT_TURN) return false;
+    for (const Corner2& other : left_)
+      if (covers(a, b, c, other.at)) return false;
+    return true;
+  }
+
+  std::vector<Corner2> left_;
+  std::vector<bool> ear_;
+};
 
 }  // namespace
 
@@ -65,15 +94,8 @@ void triangulate_polygon(const std::vector<Point>& positions, std::span<const st
   std::vector<Corner2> left;
   for (std::size_t i = 0; i < corners.size(); ++i)
     left.push_back({v(i), Flat(positions[v(i)][x], positions[v(i)][y])});
-  while (left.size() >= 3) {
-    std::size_t ear = 0;
-    while (ear < left.size() && !is_ear(left, ear)) ++ear;
-    if (ear == left.size()) ear = 0;  // no simple polygon: any triangle is as good
-    const std::size_t n = left.size();
-    triangles.push_back(
-        {left[(ear + n - 1) % n].vertex, left[ear].vertex, left[(ear + 1) % n].vertex});
-    left.erase(left.begin() + static_cast<std::ptrdiff_t>(ear));
-  }
+  Ears ears(std::move(left));
+  while (ears.size() >= 3) triangles.push_back(ears.cut());
 }
 
 }  // namespace suture

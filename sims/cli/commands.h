@@ -14,5 +14,6 @@ void add_check(CLI::App& app, int& exit);
 void add_make(CLI::App& app, int& exit);
 void add_run(CLI::App& app, int& exit);
 void add_fuzz(CLI::App& app, int& exit);
+void add_trade(CLI::App& app, int& exit);
 
 }  // namespace suture

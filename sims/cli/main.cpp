@@ -30,6 +30,7 @@ int run_program(int argc, char** argv) {
     add_make(app, exit);
     add_run(app, exit);
     add_fuzz(app, exit);
+    add_trade(app, exit);
     try {
       app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {

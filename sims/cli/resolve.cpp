@@ -162,7 +162,7 @@ void add_resolve(CLI::App& app, int& exit) {
   add_choice(*command, "--events", s->tracker.events, kEventsNames,
              "What may happen: merge, split, both (the default) or none");
   add_choice(*command, "--collapse", s->tracker.collapse, kCollapseNames,
-             "Vertices on the region's boundary: straighten (the default) or keep");
+             "Vertices on the region's boundary: straighten (the default), keep or paper");
   add_choice(*command, "--placement", s->tracker.placement, kPlacementNames,
              "New vertices: crossing (the default) or distance_field");
   add_choice(*command, "--cell-test", s->tracker.cell_test, kCellTestNames,
@@ -173,6 +173,10 @@ void add_resolve(CLI::App& app, int& exit) {
       ->add_option("--jitter", s->tracker.jitter,
                    "With --arithmetic rounded: move vertices by up to this part of a cell")
       ->type_name("X");
+  command
+      ->add_option("--restarts", s->tracker.most_restarts,
+                   "With --collapse paper: gridlocks after which the surgery is refused")
+      ->type_name("N");
   command->add_option("--depth", s->tracker.depth, "Cells between a deep cell and the isosurface")
       ->type_name("N");
   command->add_option("--origin", s->origin, "A node of the lattice: X Y Z")

@@ -18,6 +18,9 @@ class Motion {
   /// Moves the surface from tracker.time() to tracker.time() + dt.
   virtual void advance(Tracker& tracker, double dt) = 0;
 
+  /// Whether it is a velocity field, which carries any surface's points the same way.
+  virtual bool is_field() const { return false; }
+
   /// Told of each remodel and improvement: the new surface, and where each old vertex went.
   virtual void surface_changed(const Triangles& /*surface*/,
                                const std::vector<std::uint32_t>& /*vertex_map*/) {}

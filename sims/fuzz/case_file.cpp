@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "kernel/errors.h"
+#include "kernel/files.h"
 #include "sims/output/report_json.h"
 #include "sims/scene.h"
 #include "sims/toml_keys.h"
@@ -122,7 +123,7 @@ std::string to_toml(const CorpusCase& c) {
 }
 
 CorpusCase read_case(const std::filesystem::path& file) {
-  TomlTable toml = read_toml(file);
+  TomlTable toml = parse_toml(read_file(file), file);
   toml.allow_tables({"options", "quality", "operations", "surface"});
   for (const char* needed : {"options", "quality", "surface"})
     if (toml.tables.count(needed) == 0)

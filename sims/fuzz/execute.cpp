@@ -59,7 +59,7 @@ std::vector<Point> body_velocities(const Triangles& surface, Keys& keys) {
   const Components bodies = components(surface);
   std::vector<Point> of_body(bodies.count);
   for (Point& v : of_body)
-    v = speed * Point(random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1));
+    v = speed * Point{random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1)};
   std::vector<Point> velocities(surface.positions.size(), Point::Zero());
   for (std::size_t t = 0; t < surface.triangles.size(); ++t)
     for (const std::uint32_t v : surface.triangles[t])

@@ -25,6 +25,7 @@ std::string name_of(T value, const std::array<Named<T>, N>& names) {
 json to_json(const CollapseCounts& c) {
   return {{"done", c.done},
           {"delayed", c.delayed},
+          {"blocked", c.blocked},
           {"refused_link", c.refused_link},
           {"refused_normal", c.refused_normal},
           {"refused_node", c.refused_node},
@@ -39,6 +40,7 @@ json to_json(const MarkedCells& m) {
           {"inverted", m.inverted},
           {"plain", m.plain},
           {"flooded", m.flooded},
+          {"gridlocked", m.gridlocked},
           {"total", m.total()}};
 }
 
@@ -85,6 +87,7 @@ json to_json(const SurgeryReport& r) {
           {"loops", r.loops},
           {"coincident_triangles", r.coincident_triangles},
           {"split_triangles", r.split_triangles},
+          {"bent_arcs", r.bent_arcs},
           {"regrowths", r.regrowths},
           {"recuts", r.recuts},
           {"collapses", to_json(r.collapses)},
@@ -134,6 +137,7 @@ json to_json(const TrackerOptions& t) {
           {"placement", name_of(t.placement, kPlacementNames)},
           {"arithmetic", name_of(t.arithmetic, kArithmeticNames)},
           {"jitter", t.jitter},
+          {"most_restarts", t.most_restarts},
           {"straighten_turn", t.straighten_turn},
           {"quality", to_json(t.quality)}};
 }

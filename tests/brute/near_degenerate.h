@@ -38,16 +38,22 @@ enum class Family {
   tiny,            ///< small multiples of a power of two at which products underflow
   huge,            ///< small multiples of a power of two at which products or differences overflow
   stretched,       ///< small integers or a plane, each axis scaled by its own power of two
+  scaled,          ///< rounded points of a line or plane, of any one size, up to two ulps off
+  neighbours,      ///< a few doubles from one point, which has any exponents
 };
 inline constexpr std::array kFamilies = {
-    Family::random, Family::small_integers, Family::lattice, Family::line, Family::plane,
-    Family::flat,   Family::wide,           Family::tiny,    Family::huge, Family::stretched};
+    Family::random, Family::small_integers, Family::lattice, Family::line,
+    Family::plane,  Family::flat,           Family::wide,    Family::tiny,
+    Family::huge,   Family::stretched,      Family::scaled,  Family::neighbours};
 
-inline std::ostream& operator<<(std::ostream& out, Family family) {
-  constexpr const char* kNames[] = {"random", "small_integers", "lattice", "line", "plane",
-                                    "flat",   "wide",           "tiny",    "huge", "stretched"};
-  return out << kNames[static_cast<int>(family)];
+inline const char* name_of(Family family) {
+  constexpr const char* kNames[] = {"random", "small_integers", "lattice", "line",
+                                    "plane",  "flat",           "wide",    "tiny",
+                                    "huge",   "stretched",      "scaled",  "neighbours"};
+  return kNames[static_cast<int>(family)];
 }
+
+inline std::ostream& operator<<(std::ostream& out, Family family) { return out << name_of(family); }
 
 /// x moved by `steps` doubles.
 inline double nudged(double x, int steps) {
@@ -112,6 +118,24 @@ inline Points4 stretched(Draws& random) {
   return result;
 }
 
+/// Nudged after scaling: where the scaling rounds, to subnormals, the nudges are still whole ulps.
+inline Points4 scaled(Draws& random) {
+  Points4 result = on_flat(random, random.between(1, 2));
+  const int exponent = random.between(-1078, 1020);
+  for (Point& p : result)
+    for (double& x : p) x = nudged(std::ldexp(x, exponent), random.between(-2, 2));
+  return result;
+}
+
+inline Points4 neighbours(Draws& random) {
+  Point base;
+  for (double& x : base) x = any_double(random);
+  Points4 result{base, base, base, base};
+  for (Point& p : result)
+    for (double& x : p) x = nudged(x, random.between(-4, 4));
+  return result;
+}
+
 /// Four finite points. Often some coincide.
 inline Points4 near_degenerate(Family family, Draws& random) {
   const auto each = [](auto make) { return Points4{make(), make(), make(), make()}; };
@@ -143,9 +167,13 @@ inline Points4 near_degenerate(Family family, Draws& random) {
       return result;
     }
     case Family::stretched:
+      return stretched(random);
+    case Family::scaled:
+      return scaled(random);
+    case Family::neighbours:
       break;
   }
-  return stretched(random);
+  return neighbours(random);
 }
 
 }  // namespace suture::brute

@@ -8,7 +8,7 @@
 using namespace suture;
 
 TEST_CASE("two parallel sheets are as far apart as their heights say") {
-  const SurfaceDistance d = surface_distance(sheet(4), sheet(7, 0.25));
+  const TwoWayDistance d = surface_distance(sheet(4), sheet(7, 0.25));
   CHECK(d.forth.mean == 0.25);
   CHECK(d.back.max == 0.25);
   CHECK(d.hausdorff() == 0.25);
@@ -21,7 +21,7 @@ TEST_CASE("a surface is at no distance from itself") {
 
 TEST_CASE("the two ways differ where one surface is part of the other") {
   const Triangles a = cube(0, 1), both = joined(a, cube(3, 4));
-  const SurfaceDistance d = surface_distance(a, both, {.samples = 2000});
+  const TwoWayDistance d = surface_distance(a, both, {.samples = 2000});
   CHECK(d.forth.max < 1e-15);
   CHECK(d.back.max == Approx(std::sqrt(27.0)));
   // Half of the area is 2 to 3·√3 away.

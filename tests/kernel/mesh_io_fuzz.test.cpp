@@ -106,8 +106,10 @@ TEST_CASE("2000 random mutations of each format are read soundly or refused") {
           case 2:
             bytes.erase(at, 1 + dice.below(8));
             break;
-          default:
-            bytes.insert(at, bytes.substr(dice.below(bytes.size()), dice.below(12)));
+          default: {
+            const std::size_t from = dice.below(bytes.size());
+            bytes.insert(at, bytes.substr(from, dice.below(12)));
+          }
         }
         if (bytes.empty()) bytes = " ";
       }

@@ -57,7 +57,7 @@ Facts facts(const std::filesystem::path& path) {
 
 }  // namespace
 
-TEST_CASE("every classic mesh at hand is what models.toml says of it") {
+TEST_CASE("every classic mesh at hand is what models.toml says of it", "[slow]") {
   const toml::table list = toml::parse_file(SUTURE_SOURCE_DIR "/data/models.toml");
   const toml::array& models = *list["model"].as_array();
   CHECK(models.size() >= 140);

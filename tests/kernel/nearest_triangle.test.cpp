@@ -144,7 +144,7 @@ TEST_CASE("surfaces that cannot be asked are refused") {
   CHECK_THROWS_AS(NearestTriangle(s), InvalidInput);
 }
 
-TEST_CASE("distances to the horse agree with all its triangles asked one by one") {
+TEST_CASE("distances to the horse agree with all its triangles asked one by one", "[slow]") {
   const auto horse = classic("horse.ply");
   if (!horse) {
     WARN("horse.ply is not at hand: skipped");

@@ -226,7 +226,7 @@ TEST_CASE("3000 random surfaces are repaired without harm, and once is enough") 
   CHECK(mended > 0);
 }
 
-TEST_CASE("the classic horse, cow and bunny have the faults they are known for") {
+TEST_CASE("the classic horse, cow and bunny have the faults they are known for", "[slow]") {
   const auto horse = classic("horse.ply"), cow = classic("cow.obj"),
              bunny = classic("bunny-with-holes.obj");
   if (!horse || !cow || !bunny) {

@@ -88,7 +88,7 @@ TEST_CASE("the pairs are those of Polygon_mesh_processing on crumpled surfaces")
   }
 }
 
-TEST_CASE("the horse scan has four pairs of triangles that intersect") {
+TEST_CASE("the horse scan has four pairs of triangles that intersect", "[slow]") {
   const auto horse = classic("horse.ply");
   if (!horse) {
     WARN("horse.ply is not at hand: skipped");

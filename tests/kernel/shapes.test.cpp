@@ -66,7 +66,8 @@ double angle_between(const Point& a, const Point& b) {
 
 }  // namespace
 
-TEST_CASE("every shape is a closed embedded manifold of the right topology at every resolution") {
+TEST_CASE("every shape is a closed embedded manifold of the right topology at every resolution",
+          "[slow]") {
   REQUIRE(kCases.size() == shape_catalogue().size());
   for (const Case& c : kCases)
     for (const double edge_length : c.edge_lengths) {
@@ -89,7 +90,8 @@ TEST_CASE("every shape is a closed embedded manifold of the right topology at ev
     }
 }
 
-TEST_CASE("thin necks, bent sheets, low slots and other seeds are embedded manifolds too") {
+TEST_CASE("thin necks, bent sheets, low slots and other seeds are embedded manifolds too",
+          "[slow]") {
   const std::vector<Triangles> all{
       make_shape("dumbbell", {{"neck_radius", 0.002}, {"edge_length", 0.2}}),
       make_shape("dumbbell", {{"fillet", 5}, {"distance", 6}, {"edge_length", 0.2}}),
@@ -167,7 +169,7 @@ TEST_CASE("the carved ball is seen whole from its centre, and is carved deep") {
   CHECK(volume(ball) < 0.9 * 4 * kPi / 3 * 8);
 }
 
-TEST_CASE("the carved ball reaches the resolution of the paper's Figure 1") {
+TEST_CASE("the carved ball reaches the resolution of the paper's Figure 1", "[slow]") {
   const Triangles ball = carved_ball({.edge_length = 0.0083});
   CHECK(ball.triangles.size() > 400000);
   CHECK(audit(ball).closed_manifold());

@@ -1,17 +1,8 @@
 // Positions against exact rationals: no neighbouring double may be nearer.
-#include "predicates/construct.h"
-
-#include <gmpxx.h>
-
 #include <catch2/catch.hpp>
-#include <cmath>
-#include <cstdio>
-#include <limits>
-#include <string>
 
 #include "kernel/errors.h"
-#include "kernel/lattice.h"
-#include "tests/brute/near_degenerate.h"
+#include "tests/brute/construct_questions.h"
 
 using namespace suture;
 using namespace suture::brute;
@@ -19,84 +10,6 @@ using namespace suture::brute;
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
-/// As rounding sees it: the infinities stand where the next doubles would be.
-mpq_class exact(double x) {
-  if (std::isfinite(x)) return mpq_class(x);
-  const mpq_class beyond(mpz_class(1) << 1024);
-  return x > 0 ? beyond : mpq_class(-beyond);
-}
-
-bool is_even(double x) {
-  if (!std::isfinite(x)) return true;
-  int exponent = 0;
-  std::frexp(x, &exponent);
-  const int last = std::max(exponent - 53, -1074);
-  return std::fmod(std::ldexp(x, -last), 2) == 0;
-}
-
-/// Whether `rounded` is the double nearest to `value`, and the even one of two.
-bool is_nearest(double rounded, const mpq_class& value) {
-  const mpq_class distance = abs(exact(rounded) - value);
-  for (double end : {-kInfinity, kInfinity}) {
-    const double neighbour = std::nextafter(rounded, end);
-    if (neighbour == rounded) continue;
-    const int order = cmp(distance, mpq_class(abs(exact(neighbour) - value)));
-    if (order > 0 || (order == 0 && !is_even(rounded))) return false;
-  }
-  return !std::isnan(rounded) && !(rounded == 0 && std::signbit(rounded));
-}
-
-struct EdgeQuestion {
-  Point p, q;
-  int axis, want;
-  double plane;
-};
-
-mpq_class exact_on_edge(const EdgeQuestion& e) {
-  const mpq_class p(e.p[e.axis]), q(e.q[e.axis]), plane(e.plane);
-  const mpq_class from(e.p[e.want]), to(e.q[e.want]);
-  return (from * (q - plane) + to * (plane - p)) / (q - p);
-}
-
-mpq_class twice_area(const Point& a, const Point& b, const Point& c, int u, int v) {
-  const mpq_class au(a[u]), av(a[v]), bu(b[u]), bv(b[v]), cu(c[u]), cv(c[v]);
-  return (bu - au) * (cv - av) - (bv - av) * (cu - au);
-}
-
-/// By barycentric weights: a way that the code under test does not go.
-mpq_class exact_on_triangle(const Points4& t, int axis, const mpq_class& area) {
-  const int u = next_axis(axis), v = prev_axis(axis);
-  const mpq_class wa = twice_area(t[3], t[1], t[2], u, v), wb = twice_area(t[3], t[2], t[0], u, v);
-  const mpq_class wc = area - wa - wb;
-  return (wa * mpq_class(t[0][axis]) + wb * mpq_class(t[1][axis]) + wc * mpq_class(t[2][axis])) /
-         area;
-}
-
-std::string show(double x) {
-  char text[40];
-  std::snprintf(text, sizeof text, "%a ", x);
-  return text;
-}
-
-std::string show(const Point& p) { return show(p[0]) + show(p[1]) + show(p[2]); }
-
-/// The edge, if its point is not correctly rounded; else nothing.
-std::string mistake(const EdgeQuestion& e) {
-  const double result = on_edge(e.p, e.q, e.axis, e.plane, e.want);
-  if (is_nearest(result, exact_on_edge(e))) return "";
-  return show(result) + "on edge " + show(e.p) + show(e.q) + "plane " + show(e.plane) +
-         std::to_string(e.axis) + std::to_string(e.want);
-}
-
-std::string mistake(const Points4& t, int axis) {
-  const mpq_class area = twice_area(t[0], t[1], t[2], next_axis(axis), prev_axis(axis));
-  if (area == 0) return "";
-  const double result = on_triangle(t[0], t[1], t[2], axis, t[3]);
-  if (is_nearest(result, exact_on_triangle(t, axis, area))) return "";
-  return show(result) + "on triangle " + show(t[0]) + show(t[1]) + show(t[2]) + "through " +
-         show(t[3]) + std::to_string(axis);
-}
 
 /// The first of `cases` mistakes that `make_mistake` makes, or nothing.
 template <class Make>
@@ -107,28 +20,9 @@ std::string first_mistake(std::uint64_t seed, int cases, const Make& make_mistak
   return "";
 }
 
-EdgeQuestion edge_in(const Points4& points, Draws& random) {
-  const int axis = random.below(3), want = (axis + random.between(1, 2)) % 3;
-  return {points[0], points[1], axis, want, points[2][axis]};
-}
-
-/// An edge whose point lies halfway between two doubles, or off it by as little as 2^-1000 of them.
-EdgeQuestion near_halfway(Draws& random) {
-  EdgeQuestion e{random.point(), random.point(), 0, 1, 0};
-  e.q[1] = nudged(e.p[1], 2 * random.below(3) + 1);
-  e.p[0] = -1;
-  e.q[0] = 1;
-  if (random.below(4)) e.plane = std::ldexp(random.below(2) ? 1 : -1, -random.between(40, 1000));
-  return e;
-}
-
-/// The same for a triangle: its heights differ by one ulp, and it is met near its middle.
-Points4 triangle_near_halfway(Draws& random) {
-  const double low = random.real(), high = nudged(low, 1);
-  const double off = random.below(4) ? std::ldexp(1, -random.between(40, 1000)) : 0;
-  const double y = random.real();
-  return {Point(-1, -1, low), Point(1, -1, high), Point(0, 1, random.below(2) ? low : high),
-          Point(off, random.below(2) ? -1 : y, 0)};
+template <class Question>
+std::string mistake(const Question& question) {
+  return crosses(question) ? mistake(question, ask(question)) : "";
 }
 
 }  // namespace
@@ -137,8 +31,7 @@ TEST_CASE("a point on an edge is the double nearest to the exact one, whatever t
   for (Family family : kFamilies) {
     INFO(family);
     CHECK(first_mistake(21, 8'000, [&](Draws& random) {
-            const EdgeQuestion e = edge_in(near_degenerate(family, random), random);
-            return e.p[e.axis] == e.q[e.axis] ? std::string() : mistake(e);
+            return mistake(edge_question(family, random));
           }) == "");
   }
 }
@@ -147,18 +40,16 @@ TEST_CASE("a point on a triangle is the double nearest to the exact one, whateve
   for (Family family : kFamilies) {
     INFO(family);
     CHECK(first_mistake(22, 5'000, [&](Draws& random) {
-            const Points4 t = near_degenerate(family, random);
-            return mistake(t, random.below(3));
+            return mistake(triangle_question(family, random));
           }) == "");
   }
 }
 
 TEST_CASE("a point halfway between two doubles, or almost, is rounded correctly") {
-  CHECK(first_mistake(23, 20'000, [](Draws& random) { return mistake(near_halfway(random)); }) ==
-        "");
-  CHECK(first_mistake(24, 20'000, [](Draws& random) {
-          return mistake(triangle_near_halfway(random), 2);
-        }) == "");
+  CHECK(first_mistake(23, 20'000,
+                      [](Draws& random) { return mistake(edge_near_halfway(random)); }) == "");
+  CHECK(first_mistake(24, 20'000,
+                      [](Draws& random) { return mistake(triangle_near_halfway(random)); }) == "");
 }
 
 TEST_CASE("a crossing at an end of an edge is that end, to the bit") {

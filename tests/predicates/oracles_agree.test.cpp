@@ -1,52 +1,25 @@
 // The filtered oracle against its rational twin, where signs are close to call.
 #include <catch2/catch.hpp>
-#include <cstdio>
-#include <string>
 
-#include "predicates/oracle.h"
-#include "tests/brute/near_degenerate.h"
+#include "tests/brute/sign_questions.h"
 
 using namespace suture;
 using namespace suture::brute;
 
 namespace {
 
-// Ten families times three predicates times these: 1,080,000 decisions.
-constexpr int kCasesAFamily = 36'000;
+// Twelve families times three predicates times these: 1,080,000 decisions.
+constexpr int kCasesAFamily = 30'000;
 
-std::string show(const Points4& points) {
-  std::string text;
-  char number[40];
-  for (const Point& p : points)
-    for (double x : p) {
-      std::snprintf(number, sizeof number, "%a ", x);
-      text += number;
-    }
-  return text;
-}
-
-LatticePoint2 lattice_point(const Point& at, Draws& random) {
-  const int u = random.below(3), v = (u + random.between(1, 2)) % 3;
-  return {u, v, at[u], at[v]};
-}
-
-struct Twins {
-  std::unique_ptr<Oracle> filtered = make_filtered_oracle(), rational = make_rational_oracle();
-};
-
-/// What disagrees, with the points; empty if nothing does.
-template <class Question>
-std::string disagreement(Family family, const Question& ask) {
+/// What the filtered oracle and its rational twin disagree about first; empty if nothing.
+std::string disagreement(Decision decision, Family family) {
   Draws random(static_cast<std::uint64_t>(family) + 1);
-  const Twins twins;
+  const auto filtered = make_filtered_oracle(), rational = make_rational_oracle();
   for (int i = 0; i < kCasesAFamily; ++i) {
-    const Points4 points = near_degenerate(family, random);
-    const Draws start = random;
-    const int filtered = ask(*twins.filtered, points, random);
-    random = start;
-    const int rational = ask(*twins.rational, points, random);
-    if (filtered != rational)
-      return std::to_string(filtered) + " is not " + std::to_string(rational) + ": " + show(points);
+    const SignQuestion question = sign_question(decision, family, random);
+    const int sign = ask(*filtered, question), right = ask(*rational, question);
+    if (sign != right)
+      return std::to_string(sign) + " is not " + std::to_string(right) + ": " + show(question);
   }
   return "";
 }
@@ -65,30 +38,24 @@ std::string exception_to(Family family, const Property& holds) {
 
 }  // namespace
 
-TEST_CASE("both oracles see a lattice line on the same side of an edge") {
+TEST_CASE("both oracles see a lattice line on the same side of an edge", "[slow]") {
   for (Family family : kFamilies) {
     INFO(family);
-    CHECK(disagreement(family, [](const Oracle& oracle, const Points4& p, Draws& random) {
-            return oracle.edge_side(p[0], p[1], lattice_point(p[2], random));
-          }) == "");
+    CHECK(disagreement(Decision::edge_side, family) == "");
   }
 }
 
-TEST_CASE("both oracles see a lattice node on the same side of a triangle") {
+TEST_CASE("both oracles see a lattice node on the same side of a triangle", "[slow]") {
   for (Family family : kFamilies) {
     INFO(family);
-    CHECK(disagreement(family, [](const Oracle& oracle, const Points4& p, Draws&) {
-            return oracle.triangle_side(p[0], p[1], p[2], p[3]);
-          }) == "");
+    CHECK(disagreement(Decision::triangle_side, family) == "");
   }
 }
 
-TEST_CASE("both oracles give four points the same orientation") {
+TEST_CASE("both oracles give four points the same orientation", "[slow]") {
   for (Family family : kFamilies) {
     INFO(family);
-    CHECK(disagreement(family, [](const Oracle& oracle, const Points4& p, Draws&) {
-            return oracle.orientation(p[0], p[1], p[2], p[3]);
-          }) == "");
+    CHECK(disagreement(Decision::orientation, family) == "");
   }
 }
 
@@ -104,7 +71,7 @@ TEST_CASE("turning an edge or the axes round turns the side round") {
   }
 }
 
-TEST_CASE("a triangle's side follows the order of its corners") {
+TEST_CASE("a triangle's side follows the order of its corners", "[slow]") {
   for (Family family : kFamilies) {
     INFO(family);
     CHECK(exception_to(family, [](const Oracle& oracle, const Points4& p, Draws&) {
@@ -116,7 +83,7 @@ TEST_CASE("a triangle's side follows the order of its corners") {
   }
 }
 
-TEST_CASE("orientation changes sign with every swap of its points") {
+TEST_CASE("orientation changes sign with every swap of its points", "[slow]") {
   for (Family family : kFamilies) {
     INFO(family);
     CHECK(exception_to(family, [](const Oracle& oracle, const Points4& p, Draws&) {

@@ -235,3 +235,31 @@ TEST_CASE("values that would need more triangles than can be held are refused wi
   CHECK(refusal(std::string(kBody) + kMotion + kTracker + still +
                 "[quality]\nedge_length = 1e-4\n") == "not refused");
 }
+
+TEST_CASE("a body that scaling, turning, moving or scattering would lose is refused by its key") {
+  const auto body = [](const std::string& how) {
+    return refusal(kBody + how + "\n" + kMotion + kTracker + "[time]\nstep = 0.1\nend = 1\n" +
+                   "improve_every = 0\n");
+  };
+  CHECK_THAT(body("scale = 1e308\ntranslate = [1e308, 0, 0]"), Contains("translate: "));
+  CHECK_THAT(body("translate = [1.7976931348623157e308, 0, 0]\nscale = 1e300"),
+             Contains("translate: ") && Contains("beyond what a double can hold"));
+  CHECK_THAT(body("rotate = 1\nrotate_axis = [1.7e308, 1.7e308, 0]"), Contains("rotate_axis: "));
+  CHECK_THAT(body("scatter_low = [-1e308, 0, 0]\nscatter_high = [1e308, 0, 0]"),
+             Contains("scatter_high: is too far"));
+  CHECK(body("rotate = 1e308") == "not refused");
+}
+
+TEST_CASE("names of many parts and tables nested deep are refused before they take the stack") {
+  std::string name = "a";
+  for (int i = 0; i < 100'000; ++i) name += ".a";
+  CHECK_THAT(refusal("\n" + name + " = 1\n"), Contains("scene.toml:2: a name has more than 16"));
+  CHECK_THAT(refusal("[" + name + "]\n"), Contains("scene.toml:1: a name has more than 16"));
+  CHECK_THAT(refusal("x = \"\"\"a\"b\"\"\"\n" + name + " = 1\n"),
+             Contains("scene.toml:2: a name has more than 16"));
+  std::string nested = "1";
+  for (int i = 0; i < 100; ++i) nested = "{ a.b = " + nested + " }";
+  CHECK_THAT(refusal("x = " + nested + "\n"), Contains("nested more than 16 deep"));
+  const std::string dots(200, '.');
+  CHECK(refusal("title = \"" + dots + "\" # " + dots + "\n" + small_scene()) == "not refused");
+}

@@ -1,10 +1,12 @@
 #include "surgery/collapse_rules.h"
 
 #include <CGAL/Kernel/global_functions_3.h>
+#include <CGAL/boost/graph/Euler_operations.h>
 
 #include <catch2/catch.hpp>
 
 #include "kernel/audit.h"
+#include "surgery/local_change.h"
 #include "tests/surgery/quality_bodies.h"
 
 using namespace suture;
@@ -160,6 +162,33 @@ TEST_CASE("the node rule agrees with a lattice that is really shifted, ties incl
   CHECK(held > 500);
 }
 
+TEST_CASE("the node rule is the same at every scale, also where products of lengths vanish") {
+  const auto oracle = make_filtered_oracle();
+  for (const int power :
+       {0, -360, -500, -515, -525, -530, -535, -540, -600, -1000, 345, 505, 508, 510, 900}) {
+    Dice dice(13);
+    std::size_t wrong = 0, held = 0;
+    for (int i = 0; i < 2000; ++i) {
+      std::array<Point, 4> t;
+      for (Point& p : t)
+        for (int a = 0; a < 3; ++a) p[a] = static_cast<double>(dice.below(41)) - 20;
+      const auto answer = [&](int k) {
+        std::vector<double> planes;
+        for (int j = -5; j <= 5; ++j) planes.push_back(std::ldexp(5 * j, k));
+        const double s = std::ldexp(1, k);
+        return holds_node(t[0] * s, t[1] * s, t[2] * s, t[3] * s, Lattice({planes, planes, planes}),
+                          *oracle);
+      };
+      const bool expected = answer(0);
+      wrong += answer(power) != expected ? 1 : 0;
+      held += expected ? 1 : 0;
+    }
+    CAPTURE(power);
+    CHECK(wrong == 0);
+    CHECK(held > 1000);
+  }
+}
+
 TEST_CASE("more volume than the bound is refused, and less is not") {
   // the cone's apex falls by 0.2 over a ring of area 2.7: it moves at least a third of the product
   const auto cone = double_cone(hexagon(), 0.2);
@@ -199,4 +228,26 @@ TEST_CASE("whatever the rules allow leaves a closed manifold, on hostile meshes 
     CHECK(done > 20);
     REQUIRE(audit(to_triangles(mesh)).closed_manifold());
   }
+}
+
+TEST_CASE("our link condition is CGAL's, and no vertex is left with two triangles") {
+  std::size_t kept = 0, broken = 0;
+  for (std::uint64_t seed = 0; seed < 10; ++seed) {
+    Dice dice(seed);
+    Mesh mesh = to_mesh(tormented(seed % 2 ? ball(2) : drum(5, 6), dice, 0.2));
+    for (int round = 0; round < 60; ++round) {
+      const Mesh::Halfedge_index h(static_cast<Mesh::size_type>(dice.below(mesh.num_halfedges())));
+      if (!mesh.is_removed(h) && keeps_manifold(mesh, h)) collapse(mesh, h);
+      for (const auto g : mesh.halfedges()) {
+        const auto left = mesh.target(mesh.next(g)),
+                   right = mesh.target(mesh.next(mesh.opposite(g)));
+        const bool keeps = CGAL::Euler::does_satisfy_link_condition(mesh.edge(g), mesh) &&
+                           left != right && mesh.degree(left) > 3 && mesh.degree(right) > 3;
+        if (keeps_manifold(mesh, g) != keeps) FAIL("halfedge " << g << " of seed " << seed);
+        ++(keeps ? kept : broken);
+      }
+    }
+  }
+  CHECK(kept > 1000);
+  CHECK(broken > 1000);
 }

@@ -55,14 +55,14 @@ class HostileCases {
   }
 
   Triangles placed(Triangles body, double cell) {
-    if (random_.below(2) == 0)
-      body = rotated(std::move(body),
-                     Point(random_.uniform(-1, 1), random_.uniform(-1, 1), random_.uniform(0.1, 1)),
-                     random_.uniform(0, 6.28));
+    if (random_.below(2) == 0) {  // one draw after another: the order of arguments is not defined
+      const Point axis{random_.uniform(-1, 1), random_.uniform(-1, 1), random_.uniform(0.1, 1)};
+      body = rotated(std::move(body), axis, random_.uniform(0, 6.28));
+    }
     if (random_.below(4) == 0)
-      body =
-          scaled(std::move(body), Point(random_.uniform(0.01, 1.5), random_.uniform(0.2, 1.5), 1));
-    Point by(random_.uniform(-1, 1), random_.uniform(-1, 1), random_.uniform(-1, 1));
+      body = scaled(std::move(body),
+                    Point{random_.uniform(0.01, 1.5), random_.uniform(0.2, 1.5), 1.0});
+    Point by{random_.uniform(-1, 1), random_.uniform(-1, 1), random_.uniform(-1, 1)};
     if (random_.below(3) == 0)
       for (int a = 0; a < 3; ++a) by[a] = cell * std::round(by[a] / cell);
     return translated(std::move(body), by);

@@ -1,6 +1,8 @@
 #include <catch2/catch.hpp>
+#include <cfenv>
 #include <map>
 
+#include "kernel/errors.h"
 #include "surgery/invariance.h"
 #include "surgery/remodel.h"
 #include "tests/brute/lying_runs.h"
@@ -52,6 +54,37 @@ TEST_CASE("the audit sees a change of winding outside the region, and none insid
   CHECK(changed_outside(change, s.lattice, *s.oracle, all, s.winding).empty());
 }
 
+TEST_CASE(
+    "a merge inside an inverted body is refused where splits are not allowed, and done where they "
+    "are") {
+  Triangles around = ball(3, {0.01, 0.02, 0.03}, 6);
+  for (Triangle& t : around.triangles) std::swap(t[0], t[1]);  // winding −1 inside
+  const Triangles three =
+      together(ball(0.9, {0.01, 0.02, 0.03}, 6),
+               together(ball(0.9, {0.41, 0.02, 0.03}, 6), ball(0.9, {0.21, 0.32, 0.03}, 6)));
+  const Triangles surface = together(around, three);
+  Tracker merging(surface, {.cell_size = 0.2, .events = Events::merge});
+  const SurgeryReport refused = merging.remodel();
+  CHECK(refused.outcome == Outcome::refused);
+  CHECK_THAT(refused.failure, Catch::Matchers::Contains("outside the region, has changed"));
+  CHECK(merging.surface() == surface);
+  Tracker both(surface, {.cell_size = 0.2, .events = Events::both});
+  CHECK(both.remodel().outcome == Outcome::committed);
+  CHECK(components(both.surface()).count == 1);
+}
+
+TEST_CASE("what the audit rejects is not committed, wherever the fault came from") {
+  const Triangles two = together(ball(1, {0.01, 0.02, 0.03}, 6), ball(1, {1.2, 0.3, 0.1}, 6));
+  Surface surface{to_mesh(two), two};
+  const auto corner = [&](double x) { return surface.mesh.add_vertex(CgalPoint(x, 0.11, 0.11)); };
+  surface.mesh.add_face(corner(0.11), corner(0.12), corner(0.13));  // open, and in one cell
+  const auto oracle = make_filtered_oracle();
+  const SurgeryReport report = remodel(surface, {.cell_size = 0.2}, *oracle, nullptr);
+  CHECK(report.outcome == Outcome::refused);
+  CHECK_THAT(report.failure, Catch::Matchers::Contains("audit: 3 border edges"));
+  CHECK(surface.triangles == two);
+}
+
 TEST_CASE("hostile surgeries agree bit for bit under both arithmetics") {
   int operated = 0;
   for (std::uint64_t seed = 1; seed <= 80; ++seed) {
@@ -77,4 +110,25 @@ TEST_CASE("the same input gives the same bits and the same report") {
   CHECK(a.marked.total() == b.marked.total());
   CHECK(a.vertex_map == b.vertex_map);
   CHECK(a.oracle.edge_side == b.oracle.edge_side);
+}
+
+TEST_CASE("a tracker does nothing on a thread that rounds other than to nearest") {
+  const HostileCase c = HostileCases(11).make();
+  Tracker tracker(c.surface, c.options);
+  int refused = 0;
+  std::fesetround(FE_UPWARD);
+  try {
+    tracker.remodel();
+  } catch (const InvalidInput&) {
+    ++refused;
+  }
+  try {
+    tracker.improve();
+  } catch (const InvalidInput&) {
+    ++refused;
+  }
+  std::fesetround(FE_TONEAREST);
+  CHECK(refused == 2);
+  CHECK(tracker.surface() == c.surface);
+  CHECK(tracker.remodel().outcome == Outcome::committed);
 }

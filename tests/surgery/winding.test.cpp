@@ -15,7 +15,7 @@ Triangles tangle(std::uint64_t seed) {
   Random random(seed);
   Triangles body = ball(1, Point::Zero(), 4);
   for (Point& p : body.positions)
-    p += Point(random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1));
+    p += Point{random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1)};
   return body;
 }
 

@@ -1,0 +1,97 @@
+// Multiplying by a power of two changes no digit, so results are those of the scene's own unit.
+#include "surgery/unit.h"
+
+#include <cmath>
+
+#include "kernel/errors.h"
+#include "surgery/tracker_lattice.h"
+
+namespace suture {
+
+namespace {
+
+constexpr const char* kAxisName[3] = {"x", "y", "z"};
+constexpr int kOrdinary = 64;       // cells of 2^±64: fourth powers of 2^-100 of a cell are normal
+constexpr int kFarthestUnit = 200;  // between a cell and the edge length aimed at
+
+bool exact(double x, int exponent) { return std::ldexp(std::ldexp(x, exponent), -exponent) == x; }
+
+}  // namespace
+
+int unit_exponent(const TrackerOptions& options) {
+  const int exponent = std::ilogb(options.cell_size);
+  return std::abs(exponent) <= kOrdinary ? 0 : exponent;
+}
+
+void require_unit(const TrackerOptions& o) {
+  const double smallest = std::ldexp(1.0, kSmallestCell), largest = std::ldexp(1.0, kLargestCell);
+  if (!(o.cell_size >= smallest && o.cell_size <= largest))
+    throw InvalidInput("cell_size is " + number(o.cell_size) +
+                       "; set it to a positive length from 2^" + std::to_string(kSmallestCell) +
+                       " to 2^" + std::to_string(kLargestCell) + " (" + number(smallest) + " to " +
+                       number(largest) + "), or scale the scene");
+  const double length = o.quality.edge_length, farthest = std::ldexp(1.0, kFarthestUnit);
+  if (length != 0 && !(length / o.cell_size <= farthest && o.cell_size / length <= farthest))
+    throw InvalidInput("quality.edge_length is " + number(length) + " where cell_size is " +
+                       number(o.cell_size) + "; keep the two within a factor of 2^" +
+                       std::to_string(kFarthestUnit) + ", or leave it 0");
+  for (int a = 0; a < 3; ++a)
+    if (!exact(o.origin[a], -unit_exponent(o)))
+      throw InvalidInput("the lattice's origin has " + std::string(kAxisName[a]) + " = " +
+                         number(o.origin[a]) + ", which doubles cannot hold beside cells of " +
+                         number(o.cell_size) + "; set it to 0");
+}
+
+void require_room(const std::vector<Point>& positions, const TrackerOptions& options) {
+  if (positions.empty()) return;
+  if (const int unit = unit_exponent(options); unit > 0)
+    for (std::size_t v = 0; v < positions.size(); ++v)
+      for (int a = 0; a < 3; ++a)
+        if (!exact(positions[v][a], -unit))
+          throw InvalidInput("vertex " + std::to_string(v) + " has " + kAxisName[a] + " = " +
+                             number(positions[v][a]) + ", which is too small beside cells of " +
+                             number(options.cell_size) +
+                             " to be kept in their unit; set it to 0, or choose smaller cells");
+  tracker_lattice(positions, options);
+}
+
+TrackerOptions times_power(TrackerOptions options, int exponent) {
+  options.cell_size = std::ldexp(options.cell_size, exponent);
+  options.quality.edge_length = std::ldexp(options.quality.edge_length, exponent);
+  for (double& x : options.origin) x = std::ldexp(x, exponent);
+  return options;
+}
+
+bool multiply(Mesh& mesh, int exponent) {
+  if (exponent == 0) return true;
+  bool kept = true;
+  for (const auto v : mesh.vertices()) {
+    Point p = to_point(mesh.point(v));
+    for (double& x : p) {
+      kept &= exact(x, exponent);
+      x = std::ldexp(x, exponent);
+    }
+    mesh.point(v) = to_cgal(p);
+  }
+  return kept;
+}
+
+bool multiply(Surface& surface, int exponent) {
+  if (exponent == 0) return true;
+  const bool kept = multiply(surface.mesh, exponent);
+  for (Point& p : surface.triangles.positions)
+    for (double& x : p) x = std::ldexp(x, exponent);
+  return kept;
+}
+
+void multiply(SurgeryReport& report, int exponent) {
+  report.volume_before = std::ldexp(report.volume_before, 3 * exponent);
+  report.volume_after = std::ldexp(report.volume_after, 3 * exponent);
+}
+
+void multiply(QualityReport& report, int exponent) {
+  report.shortest_edge = std::ldexp(report.shortest_edge, exponent);
+  report.longest_edge = std::ldexp(report.longest_edge, exponent);
+}
+
+}  // namespace suture
