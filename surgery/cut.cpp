@@ -75,6 +75,7 @@ class Cutter {
     const bool inside_too = options_.inside == Inside::made;
     if (!split_.contains(t)) {
       auto merged = kept.merged(inserted_);
+      if (merged && inside_too) dropped.avoid(*merged);
       auto below = inside_too ? dropped.merged(inserted_) : std::optional(std::vector<Triangle>{});
       if (merged && below) {
         done_[t] = {std::move(*merged), std::move(*below), kept.arcs()};

@@ -52,6 +52,11 @@ KeptPieces::KeptPieces(const CutInput& input, std::uint32_t triangle, const Tria
       part_(part),
       global_(3 + pieces.edge_sites.size() + pieces.line_sites.size(), kNone) {}
 
+void KeptPieces::avoid(const std::vector<Triangle>& outside) {
+  for (const Triangle& t : outside)
+    for (std::size_t k = 0; k < 3; ++k) taken_.insert(std::minmax(t[k], t[(k + 1) % 3]));
+}
+
 std::uint32_t KeptPieces::global(std::uint32_t local) {
   std::uint32_t& id = global_[local];
   if (id != kNone) return id;
@@ -124,7 +129,7 @@ std::vector<std::uint32_t> KeptPieces::components() const {
 
 bool KeptPieces::forbidden(std::uint32_t a, std::uint32_t b) const {
   if ((edges_at(pieces_, a) & edges_at(pieces_, b)) != 0) return true;
-  if (part_ == Part::inside) return false;
+  if (part_ == Part::inside) return taken_.contains(std::minmax(global_[a], global_[b]));
   const NearCells x = near_cells(pieces_, a, in_), y = near_cells(pieces_, b, in_);
   for (int i = 0; i < x.count; ++i)
     for (int j = 0; j < y.count; ++j)

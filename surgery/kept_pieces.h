@@ -2,6 +2,8 @@
 #pragma once
 
 #include <optional>
+#include <set>
+#include <utility>
 #include <vector>
 
 #include "surgery/cut.h"
@@ -22,9 +24,13 @@ class KeptPieces {
   /// Pieces merged across lattice faces where both cells are outside the region. Vertices on mesh
   /// edges: corners, crossings of the region's boundary, and those that `inserted` names. Nothing
   /// where no safe triangulation exists: a diagonal must not join two vertices of one mesh edge nor
-  /// two that a patch could join too (both on one region cell; pieces inside are gone by then), and
-  /// all triangles must keep the orientation.
+  /// two that a patch could join too (both on one region cell) or, inside, that `avoid` has
+  /// seen joined, and all triangles must keep the orientation.
   std::optional<std::vector<Triangle>> merged(const std::vector<char>& inserted);
+
+  /// Edges of what the parts outside became: pieces inside may not have them as diagonals. (On a
+  /// triangle aligned with the lattice both could run along one line.) \pre Part::inside
+  void avoid(const std::vector<Triangle>& outside);
 
   /// One polygon a cell, with every crossing a vertex.
   std::vector<Triangle> cell_by_cell();
@@ -55,6 +61,7 @@ class KeptPieces {
   const TrianglePieces& pieces_;
   Sites& sites_;
   Part part_;
+  std::set<std::pair<std::uint32_t, std::uint32_t>> taken_;
   std::vector<std::uint32_t> global_;  // local site → site, kNone while not asked for
 };
 

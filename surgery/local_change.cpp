@@ -1,8 +1,6 @@
 // Normals, lattice nodes and volume of one local operation [§6.2].
 #include "surgery/local_change.h"
 
-#include <CGAL/boost/graph/Euler_operations.h>
-
 #include <algorithm>
 #include <cmath>
 
@@ -157,6 +155,24 @@ bool has_three_or_fewer(const Mesh& mesh, Mesh::Vertex_index v) {
   return false;
 }
 
+/// No vertex but those across from `h` is a neighbour of both its ends. CGAL's own test walks the
+/// stars of all neighbours too, which takes the square of the valence round a vertex of a great
+/// one.
+bool satisfies_link_condition(const Mesh& mesh, Mesh::Halfedge_index h) {
+  boost::container::small_vector<Mesh::Vertex_index, 24> around;
+  for (const auto g : mesh.halfedges_around_target(mesh.opposite(h)))
+    around.push_back(mesh.source(g));
+  std::sort(around.begin(), around.end());
+  const auto left = mesh.target(mesh.next(h));
+  const auto right = mesh.target(mesh.next(mesh.opposite(h)));
+  for (const auto g : mesh.halfedges_around_target(h)) {
+    const auto v = mesh.source(g);
+    if (v != left && v != right && std::binary_search(around.begin(), around.end(), v))
+      return false;
+  }
+  return true;
+}
+
 }  // namespace
 
 bool keeps_manifold(const Mesh& mesh, Mesh::Halfedge_index h) {
@@ -164,7 +180,7 @@ bool keeps_manifold(const Mesh& mesh, Mesh::Halfedge_index h) {
   const auto right = mesh.target(mesh.next(mesh.opposite(h)));
   if (left == right || has_three_or_fewer(mesh, left) || has_three_or_fewer(mesh, right))
     return false;
-  return CGAL::Euler::does_satisfy_link_condition(mesh.edge(h), mesh);
+  return satisfies_link_condition(mesh, h);
 }
 
 namespace {

@@ -30,6 +30,8 @@ struct OpenedMesh {
   std::vector<Arc> boundary;          ///< straight arcs, one a chain; empty after a gridlock
   std::vector<LatticeId> gridlocked;  ///< cells across from arcs that are still bent, sorted
   std::size_t bent_arcs = 0;
+  std::size_t type2_vertices =
+      0;  ///< on the region's boundary; all gone unless there are bent arcs
 };
 
 /// Subdivides the mesh along the region's boundary, keeping it closed; collapses type 2 vertices

@@ -50,6 +50,12 @@ class Sites {
   Site& operator[](std::uint32_t id) { return sites_[id]; }
   const Site& operator[](std::uint32_t id) const { return sites_[id]; }
 
+  /// Whether a type 2 site is on the region's boundary; else it was only inserted to split a
+  /// triangle.
+  bool at_boundary(const Site& type2) const {
+    return region_.holds(type2.at) != region_.holds(step(type2.at, type2.axis, -1));
+  }
+
   /// Where `triangle` meets the line of a lattice edge, clamped to the edge.
   Point crossing_position(int axis, LatticeId edge, std::uint32_t triangle) const;
 

@@ -24,7 +24,8 @@ Mesh::Vertex_index Sewing::make(const Site& site) {
   const auto v = mesh_.add_vertex(to_cgal(site.position));
   origins_.vertex[v] = site.kind == SiteKind::corner ? site.source : kNone;
   if (site.kind == SiteKind::type1) made_.type1.push_back(v);
-  if (site.kind == SiteKind::type2) made_.type2.push_back(v);
+  // Straightening would take the others off the edge that they are on, and cut its corners.
+  if (site.kind == SiteKind::type2 && sites_.at_boundary(site)) made_.type2.push_back(v);
   if (site.kind == SiteKind::isosurface) made_.isosurface.push_back(v);
   return v;
 }

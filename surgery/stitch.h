@@ -10,7 +10,7 @@
 
 namespace suture {
 
-/// Vertices that sewing made, by kind.
+/// Vertices that sewing made, by kind; of type 2 those on the region's boundary.
 struct StitchedVertices {
   std::vector<Mesh::Vertex_index> type1, type2, isosurface;
 };

@@ -26,6 +26,7 @@ struct Settings {
   CampaignOptions campaign;
   CaseOptions cases;
   Collapse collapse = Collapse::straighten;
+  double jitter = TrackerOptions{}.jitter;
   std::string oracles = "sampled";
   std::vector<std::string> replay, merge;
   std::uint64_t show = 0;
@@ -109,7 +110,7 @@ int run_cases(const Settings& s) {
                       word_of(s.cases.arithmetic, kArithmeticNames),
                       s.cases.collapse ? word_of(*s.cases.collapse, kCollapseNames) : "any",
                       s.oracles,
-                      0};
+                      s.cases.arithmetic == Arithmetic::rounded ? s.jitter : 0};
   if (!s.corpus.empty())
     save_failures(summary, s.corpus, oracles, s.limits,
                   [&](std::uint64_t seed) { return make_case(seed, s.cases); });
@@ -122,9 +123,14 @@ int replay(const Settings& s, const CLI::App& command) {
   for (const std::string& file : s.replay) {
     CorpusCase c = read_case(file);
     if (command.count("--arithmetic") != 0) c.fuzz_case.options.arithmetic = s.cases.arithmetic;
-    const auto failure = failure_of(c.fuzz_case, oracles, s.campaign.case_seconds);
-    if (failure) exit = kNo;
-    fmt::print("{}: {}\n", file, failure ? failure->oracle + ": " + failure->cause : "passes");
+    const FuzzSummary run = run_in_child(c.fuzz_case, oracles, s.campaign.case_seconds);
+    if (!run.failures.empty()) {
+      exit = kNo;
+      fmt::print("{}: {}: {}\n", file, run.failures[0].oracle, run.failures[0].cause);
+    } else {
+      fmt::print("{}: passes; {} remodels, {} changed the mesh{}\n", file, run.remodels,
+                 run.surgeries, run.ended.empty() ? "" : "; ended by: " + run.ended.begin()->first);
+    }
   }
   return exit;
 }
@@ -147,6 +153,7 @@ int merge_files(const Settings& s) {
 
 int fuzz(Settings s, const CLI::App& command) {
   if (command.count("--collapse") != 0) s.cases.collapse = s.collapse;
+  if (command.count("--jitter") != 0) s.cases.jitter = s.jitter;
   if (!s.merge.empty()) return merge_files(s);
   if (!s.replay.empty()) return replay(s, command);
   if (command.count("--show") != 0) return show(s);
@@ -165,7 +172,9 @@ void add_campaign_options(CLI::App& command, Settings& s) {
       .add_option("--jobs", s.campaign.jobs, "Worker processes; the results do not depend on it")
       ->capture_default_str()
       ->type_name("J");
-  command.add_option("--case-seconds", s.campaign.case_seconds, "A case that takes longer hangs")
+  command
+      .add_option("--case-seconds", s.campaign.case_seconds,
+                  "Of a core; a case that takes longer hangs")
       ->capture_default_str()
       ->type_name("T");
   add_choice(command, "--profile", s.cases.profile, kProfileNames,
@@ -174,6 +183,11 @@ void add_campaign_options(CLI::App& command, Settings& s) {
              "Of all cases: filtered (the default) or another");
   add_choice(command, "--collapse", s.collapse, kCollapseNames,
              "Of all cases; else the seed decides");
+  command
+      .add_option("--jitter", s.jitter,
+                  "With --arithmetic rounded: vertices move by up to this part of a cell")
+      ->capture_default_str()
+      ->type_name("X");
   command
       .add_option("--oracles", s.oracles,
                   "sampled (fast ones always, others on one seed in 64), fast, all, or names")

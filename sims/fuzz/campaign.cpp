@@ -27,7 +27,7 @@ struct Worker {
   Child child;
   SeedRange range;                       ///< not yet done
   std::optional<std::uint64_t> running;  ///< the seed it is at
-  double since = 0;                      ///< when that began
+  double since = 0, cpu_since = 0;       ///< when that began, and the core's seconds until then
   bool hung = false;
   std::string unread;
 };
@@ -87,6 +87,7 @@ class Campaign {
                         *range,
                         std::nullopt,
                         now_,
+                        0,
                         false,
                         {}});
     return true;
@@ -95,8 +96,8 @@ class Campaign {
   void listen() {
     std::vector<pollfd> ends;
     for (const Worker& w : workers_) ends.push_back({w.child.fd(), POLLIN, 0});
-    constexpr int kMilliseconds = 100;
-    poll(ends.data(), ends.size(), kMilliseconds);
+    const double milliseconds = 1 + std::min(100.0, 500 * options_.case_seconds);
+    poll(ends.data(), ends.size(), static_cast<int>(milliseconds));
   }
 
   /// Reads what a worker says. \return whether it still runs
@@ -110,7 +111,8 @@ class Campaign {
       hear(w, w.unread.substr(from, to - from));
     w.unread.erase(0, from);
     if (n == 0) return false;
-    if (w.running && now_ - w.since > options_.case_seconds) {
+    if (w.running &&
+        hangs(w.child.cpu_seconds() - w.cpu_since, now_ - w.since, options_.case_seconds)) {
       w.child.kill();
       w.hung = true;
       return false;
@@ -122,6 +124,7 @@ class Campaign {
     if (line[0] != '{') {
       w.running = std::stoull(line);
       w.since = now_;
+      w.cpu_since = w.child.cpu_seconds();
       return;
     }
     add_counts(sum_, summary_from_json(nlohmann::json::parse(line), "a worker's line"));
@@ -137,7 +140,8 @@ class Campaign {
     if (w->range.cases > 0) {
       const std::uint64_t seed = w->range.first;
       add_counts(sum_, w->hung ? death_of(seed, "hang",
-                                          fmt::format("took more than {} s", options_.case_seconds))
+                                          fmt::format("took more than {} s of a core",
+                                                      options_.case_seconds))
                                : death_of(seed, "crash", death.empty() ? "ended early" : death));
       if (w->range.cases > 1) again_.push_back({seed + 1, w->range.cases - 1});
     }

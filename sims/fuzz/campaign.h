@@ -12,7 +12,7 @@ struct CampaignOptions {
   std::uint64_t cases = 0;   ///< 0: until the time is up
   double seconds = 0;        ///< no case is started after so long; 0: no limit
   int jobs = 1;              ///< workers at a time; the counts and the digest do not depend on it
-  double case_seconds = 20;  ///< a case that takes longer hangs
+  double case_seconds = 20;  ///< of a core; a case that takes longer hangs
 };
 
 /// What one case came to; called in a worker, so it may crash or never return.

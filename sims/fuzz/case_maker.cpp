@@ -104,6 +104,7 @@ FuzzCase make_case(std::uint64_t seed, const CaseOptions& options) {
   c.options = any_options(random, cell);
   c.options.arithmetic = options.arithmetic;
   if (options.collapse) c.options.collapse = *options.collapse;
+  if (options.jitter) c.options.jitter = *options.jitter;
   c.surface = generate(c.generator, {random, cell, large});
   OperationSizes sizes{1, Point::Zero(), cell};
   if (profile != Profile::random)

@@ -24,7 +24,8 @@ inline constexpr std::array<Named<Profile>, 4> kProfileNames = {{{"random", Prof
 struct CaseOptions {
   Profile profile = Profile::all;
   Arithmetic arithmetic = Arithmetic::filtered;
-  std::optional<Collapse> collapse;
+  std::optional<Collapse> collapse{};
+  std::optional<double> jitter{};
 };
 
 FuzzCase make_case(std::uint64_t seed, const CaseOptions& options);

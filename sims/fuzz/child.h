@@ -23,7 +23,7 @@ class Child {
 
   /// Waits for the end. \return how it died, in words; empty if it ended as it should
   std::string wait();
-  double cpu_seconds() const { return cpu_seconds_; }  ///< after wait
+  double cpu_seconds() const;  ///< so far, or of all of its life after wait
 
  private:
   pid_t pid_ = -1;
@@ -33,6 +33,12 @@ class Child {
 
 /// Writes all of it. \throw InternalFailure if the other end has gone
 void write_all(int fd, const std::string& text);
+
+/// Whether something hangs: it has used more than the seconds allowed of a core, or ten times as
+/// long has passed, so that on a busy machine what only waits for its turn does not hang.
+constexpr bool hangs(double cpu_seconds, double passed, double allowed) {
+  return cpu_seconds > allowed || passed > 10 * allowed;
+}
 
 /// What `work` returned, run in a child; or how the child died.
 struct Isolated {

@@ -73,17 +73,54 @@ OracleChoice only(const std::string& oracle, const OracleChoice& all) {
 
 }  // namespace
 
-std::optional<FuzzFailure> failure_of(const FuzzCase& c, const OracleChoice& oracles,
-                                      double seconds) {
+FuzzSummary run_in_child(const FuzzCase& c, const OracleChoice& oracles, double seconds) {
   const Isolated run =
       run_isolated([&] { return to_json(run_case(c, oracles).counts).dump(); }, seconds);
+  if (run.death.empty())
+    return summary_from_json(nlohmann::json::parse(run.text), "a child's line");
+  FuzzSummary died;
+  died.cases = 1;
   if (run.death == "hang")
-    return FuzzFailure{c.seed, "hang", fmt::format("took more than {} s", seconds), {}};
-  if (!run.death.empty()) return FuzzFailure{c.seed, "crash", run.death, {}};
-  const FuzzSummary summary = summary_from_json(nlohmann::json::parse(run.text), "a child's line");
+    died.failures.push_back(
+        {c.seed, "hang", fmt::format("took more than {} s of a core", seconds), {}});
+  else
+    died.failures.push_back({c.seed, "crash", run.death, {}});
+  return died;
+}
+
+std::optional<FuzzFailure> failure_of(const FuzzCase& c, const OracleChoice& oracles,
+                                      double seconds) {
+  const FuzzSummary summary = run_in_child(c, oracles, seconds);
   if (summary.failures.empty()) return std::nullopt;
   return summary.failures.front();
 }
+
+namespace {
+
+/// \return the file
+std::filesystem::path save_minimal(const FuzzFailure& failure, FuzzCase c,
+                                   const std::filesystem::path& folder, const OracleChoice& oracles,
+                                   const MinimiseLimits& limits) {
+  const OracleChoice asked = only(failure.oracle, oracles);
+  const double seconds = failure.oracle == "hang" ? 1 : limits.seconds;  // of one trial
+  const std::string kind = kind_of(failure);
+  const auto fails = [&](const FuzzCase& smaller) {
+    const auto again = failure_of(smaller, asked, seconds);
+    return again && kind_of(*again) == kind;
+  };
+  const auto before = [&](const FuzzCase& smaller, std::size_t operation) {
+    return surface_before(smaller, operation, seconds);
+  };
+  CorpusCase kept{std::move(c), failure.oracle, failure.cause};
+  if (fails(kept.fuzz_case))
+    kept.fuzz_case = minimise(std::move(kept.fuzz_case), fails, before, limits).fuzz_case;
+  if (const auto least = failure_of(kept.fuzz_case, asked, seconds)) kept.cause = least->cause;
+  const auto file = folder / fmt::format("{}_{}.toml", failure.oracle, failure.seed);
+  write_file(file, to_toml(kept));
+  return file;
+}
+
+}  // namespace
 
 void save_failures(FuzzSummary& summary, const std::filesystem::path& folder,
                    const OracleChoice& oracles, const MinimiseLimits& limits,
@@ -91,24 +128,14 @@ void save_failures(FuzzSummary& summary, const std::filesystem::path& folder,
   std::filesystem::create_directories(folder);
   std::map<std::string, int> saved;
   for (FuzzFailure& failure : summary.failures) {
-    if (++saved[failure.oracle] > limits.each) continue;
-    const OracleChoice asked = only(failure.oracle, oracles);
-    const double seconds = std::max(limits.seconds / 8, 1.0);
-    const std::string kind = kind_of(failure);
-    const auto fails = [&](const FuzzCase& c) {
-      const auto again = failure_of(c, asked, seconds);
-      return again && kind_of(*again) == kind;
-    };
-    const auto before = [&](const FuzzCase& c, std::size_t operation) {
-      return surface_before(c, operation, seconds);
-    };
-    CorpusCase kept{case_of(failure.seed), failure.oracle, failure.cause};
-    if (fails(kept.fuzz_case))
-      kept.fuzz_case = minimise(std::move(kept.fuzz_case), fails, before, limits).fuzz_case;
-    if (const auto least = failure_of(kept.fuzz_case, asked, seconds)) kept.cause = least->cause;
-    const auto file = folder / fmt::format("{}_{}.toml", failure.oracle, failure.seed);
-    write_file(file, to_toml(kept));
-    failure.file = file.string();
+    if (++saved[kind_of(failure)] > limits.each) continue;
+    FuzzCase c;
+    try {
+      c = case_of(failure.seed);
+    } catch (const std::exception&) {
+      continue;  // the generator itself broke down, as the failure says
+    }
+    failure.file = save_minimal(failure, std::move(c), folder, oracles, limits).string();
   }
 }
 

@@ -12,7 +12,10 @@
 
 namespace suture {
 
-/// Runs the case in a child. \return its failure, crashes and hangs included
+/// Runs the case in a child. \return its counts and at most one failure, crashes and hangs included
+FuzzSummary run_in_child(const FuzzCase& c, const OracleChoice& oracles, double seconds);
+
+/// The failure of run_in_child, if there is one.
 std::optional<FuzzFailure> failure_of(const FuzzCase& c, const OracleChoice& oracles,
                                       double seconds);
 

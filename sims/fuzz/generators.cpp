@@ -84,7 +84,7 @@ Triangles tori(Draw& d) {
 
 Triangles sheets(Draw& d) {
   std::vector<Triangles> bodies;
-  const double thickness = 0.4 * d.random.uniform(0.005, 1);  // a bend of 300° allows that much
+  const double thickness = 0.37 * d.random.uniform(0.005, 1);  // 300° allow 0.38
   for (int b = count(d, 1, 3); b > 0; --b)
     bodies.push_back(
         placed(turned(sheet({Point::Zero(), 2, d.random.uniform(0.4, 1.5), thickness,

@@ -26,6 +26,11 @@ bool committed(const Observation& o) {
   return o.surgery != nullptr && o.surgery->outcome == Outcome::committed;
 }
 
+/// With jitter each remodel moves the surface first: vertices, and nodes' sides, may change.
+bool jitters(const Observation& o) {
+  return o.options.arithmetic == Arithmetic::rounded && o.options.jitter > 0;
+}
+
 std::string name_of(const Index3& node) {
   return fmt::format("node {} {} {}", node[0], node[1], node[2]);
 }
@@ -107,7 +112,7 @@ Objection object_bits(const Observation& o) {
 Objection object_map(const Observation& o) {
   if (o.surgery == nullptr) return {};
   const auto& map = o.surgery->vertex_map;
-  if (o.before.triangles.empty()) return {};
+  if (o.before.triangles.empty() || jitters(o)) return {};
   if (map.size() != o.before.positions.size()) return "the vertex map has not the old length";
   std::vector<char> used(o.after.positions.size(), 0);
   for (std::size_t v = 0; v < map.size(); ++v) {
@@ -132,7 +137,7 @@ Objection object_marches(const Observation& o) {
 /// or it is within rounding of the surface. Here both whole surfaces are marched; the remodel's own
 /// audit marches what was taken out and put in.
 Objection object_invariance(const Observation& o) {
-  if (!committed(o)) return {};
+  if (!committed(o) || jitters(o)) return {};
   const Lattice lattice = lattice_of(o.before.positions, o.options);
   const SurfaceCheck before(o.before, lattice), after(o.after, lattice);
   const std::vector<Index3> changed = SurfaceCheck::sides_changed(before, after);
@@ -153,13 +158,13 @@ Objection object_invariance(const Observation& o) {
 /// again: a known limit.) A node within rounding of the surface may have changed its side.
 Objection object_settled(const Observation& o) {
   if (o.surgery == nullptr || o.moved || o.options.cell_test != CellTest::deep ||
-      o.options.depth < 1 || o.surgery->outcome == Outcome::unchanged)
+      o.options.depth < 1 || jitters(o) || !committed(o))
     return {};
   const SurfaceDistance distance(o.before, exactly(o.options));
   for (const Index3& node : corners_of(o.surgery->region, o.options.depth))
     if (within_rounding(node, distance, o.before)) return {};
-  return fmt::format("a second remodel was {}, {} cells marked",
-                     committed(o) ? "committed" : "refused", o.surgery->marked.total());
+  return fmt::format("a second remodel changed the surface, {} cells marked",
+                     o.surgery->marked.total());
 }
 
 /// The winding that marches count is the solid angle over 4π, at nodes that are not near the
@@ -176,12 +181,17 @@ Objection object_solid_angle(const Observation& o) {
   for (int sample = 0; sample < 12 && !nodes.empty(); ++sample) {
     const Index3 node = nodes[random.below(nodes.size())];
     if (!(std::abs(distance.at(node)) > 0x1p-10 * scale)) continue;
-    const double angle = solid_angle(o.after, lattice.node(node));
-    if (!(std::abs(angle - check.winding(node)) < 0.01))
-      return fmt::format("{} has winding {} but solid angle {}", name_of(node), check.winding(node),
-                         angle);
+    const auto objection = compare_winding(o.after, lattice, node, check.winding(node));
+    if (objection) return objection;
   }
   return {};
+}
+
+Objection compare_winding(const Triangles& surface, const Lattice& lattice, const Index3& node,
+                          int winding) {
+  const double angle = solid_angle(surface, lattice.node(node));
+  if (std::abs(angle - winding) < 0.01) return {};
+  return fmt::format("{} has winding {} but solid angle {}", name_of(node), winding, angle);
 }
 
 bool same_bits(const Triangles& a, const Triangles& b) {

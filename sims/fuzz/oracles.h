@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "kernel/lattice.h"
 #include "kernel/triangles.h"
 #include "surgery/options.h"
 #include "surgery/report.h"
@@ -51,6 +52,10 @@ class OracleChoice {
 
 /// Whether two surfaces are the same to the last bit, signs of zeros included.
 bool same_bits(const Triangles& a, const Triangles& b);
+
+/// Whether the solid angle at a node is 4π times its winding. \pre the node is not near the surface
+Objection compare_winding(const Triangles& surface, const Lattice& lattice, const Index3& node,
+                          int winding);
 
 // Each below says in its source what it promises and why; all return nothing where they do not
 // apply.

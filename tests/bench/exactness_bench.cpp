@@ -193,7 +193,7 @@ struct Question {
 std::vector<Question> questions(bool on_the_lattice) {
   Random random(7);
   const auto point = [&](double reach) {
-    Point p(random.uniform(0, reach), random.uniform(0, reach), random.uniform(0, reach));
+    Point p{random.uniform(0, reach), random.uniform(0, reach), random.uniform(0, reach)};
     if (on_the_lattice) p = (p * 4).array().round() / 4;
     return p;
   };

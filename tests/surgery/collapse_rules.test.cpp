@@ -1,10 +1,12 @@
 #include "surgery/collapse_rules.h"
 
 #include <CGAL/Kernel/global_functions_3.h>
+#include <CGAL/boost/graph/Euler_operations.h>
 
 #include <catch2/catch.hpp>
 
 #include "kernel/audit.h"
+#include "surgery/local_change.h"
 #include "tests/surgery/quality_bodies.h"
 
 using namespace suture;
@@ -226,4 +228,26 @@ TEST_CASE("whatever the rules allow leaves a closed manifold, on hostile meshes 
     CHECK(done > 20);
     REQUIRE(audit(to_triangles(mesh)).closed_manifold());
   }
+}
+
+TEST_CASE("our link condition is CGAL's, and no vertex is left with two triangles") {
+  std::size_t kept = 0, broken = 0;
+  for (std::uint64_t seed = 0; seed < 10; ++seed) {
+    Dice dice(seed);
+    Mesh mesh = to_mesh(tormented(seed % 2 ? ball(2) : drum(5, 6), dice, 0.2));
+    for (int round = 0; round < 60; ++round) {
+      const Mesh::Halfedge_index h(static_cast<Mesh::size_type>(dice.below(mesh.num_halfedges())));
+      if (!mesh.is_removed(h) && keeps_manifold(mesh, h)) collapse(mesh, h);
+      for (const auto g : mesh.halfedges()) {
+        const auto left = mesh.target(mesh.next(g)),
+                   right = mesh.target(mesh.next(mesh.opposite(g)));
+        const bool keeps = CGAL::Euler::does_satisfy_link_condition(mesh.edge(g), mesh) &&
+                           left != right && mesh.degree(left) > 3 && mesh.degree(right) > 3;
+        if (keeps_manifold(mesh, g) != keeps) FAIL("halfedge " << g << " of seed " << seed);
+        ++(keeps ? kept : broken);
+      }
+    }
+  }
+  CHECK(kept > 1000);
+  CHECK(broken > 1000);
 }

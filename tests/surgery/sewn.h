@@ -1,7 +1,8 @@
 // Surgery without a net: cut, fill and sew by site number alone; no audit, no second cut, no CGAL.
 #pragma once
 
-#include <optional>
+#include <algorithm>
+#include <iterator>
 
 #include "surgery/complex_cells.h"
 #include "surgery/deep_cells.h"
@@ -43,6 +44,32 @@ struct Sewn {
   std::size_t split_triangles = 0, centroids = 0;
 };
 
+/// The surface without what the cut touched, and with triangles of sites in its place.
+inline Triangles without_touched(const Triangles& surface,
+                                 const std::vector<std::uint32_t>& touched,
+                                 const std::vector<const std::vector<Triangle>*>& groups,
+                                 const Sites& sites) {
+  Triangles result{surface.positions, {}};
+  std::vector<char> gone(surface.triangles.size(), 0);
+  for (const std::uint32_t t : touched) gone[t] = 1;
+  for (std::uint32_t t = 0; t < gone.size(); ++t)
+    if (gone[t] == 0) result.triangles.push_back(surface.triangles[t]);
+  std::vector<std::uint32_t> vertex(sites.all().size(), kNone);
+  auto number = [&](std::uint32_t site) {
+    const Site& s = sites[site];
+    if (s.kind == SiteKind::corner) return s.source;
+    if (vertex[site] == kNone) {
+      vertex[site] = static_cast<std::uint32_t>(result.positions.size());
+      result.positions.push_back(s.position);
+    }
+    return vertex[site];
+  };
+  for (const auto* triangles : groups)
+    for (const Triangle& t : *triangles)
+      result.triangles.push_back({number(t[0]), number(t[1]), number(t[2])});
+  return result;
+}
+
 /// The surface after surgery in the region, as the cut and the fill give it.
 inline Sewn sew(const Triangles& surface, const Detection& d, Pieces pieces,
                 Placement placement = Placement::crossing) {
@@ -53,26 +80,19 @@ inline Sewn sew(const Triangles& surface, const Detection& d, Pieces pieces,
   const DistanceField distance(surface, d.scan.lattice, d.scan.winding);
   place_isosurface(placement, d.scan.crossings, d.scan.winding, d.scan.lattice, distance, sites);
   const Patch patch = fill(arcs, sites);
+  return {without_touched(surface, cut_mesh.touched, {&cut_mesh.kept, &patch.triangles}, sites),
+          cut_mesh.split_triangles, patch.centroids};
+}
 
-  Sewn result{{surface.positions, {}}, cut_mesh.split_triangles, patch.centroids};
-  std::vector<char> gone(surface.triangles.size(), 0);
-  for (const std::uint32_t t : cut_mesh.touched) gone[t] = 1;
-  for (std::uint32_t t = 0; t < gone.size(); ++t)
-    if (gone[t] == 0) result.surface.triangles.push_back(surface.triangles[t]);
-  std::vector<std::uint32_t> vertex(sites.all().size(), kNone);
-  auto number = [&](std::uint32_t site) {
-    const Site& s = sites[site];
-    if (s.kind == SiteKind::corner) return s.source;
-    if (vertex[site] == kNone) {
-      vertex[site] = static_cast<std::uint32_t>(result.surface.positions.size());
-      result.surface.positions.push_back(s.position);
-    }
-    return vertex[site];
-  };
-  for (const auto* triangles : {&cut_mesh.kept, &patch.triangles})
-    for (const Triangle& t : *triangles)
-      result.surface.triangles.push_back({number(t[0]), number(t[1]), number(t[2])});
-  return result;
+/// The surface cut along the region's boundary on both sides, nothing dropped yet.
+inline Triangles cut_on_both_sides(const Triangles& surface, const Detection& d, Pieces pieces) {
+  Sites sites(d.scan.mesh, d.scan.lattice, d.scan.crossings, d.scan.winding, d.region);
+  CutMesh cut_mesh = cut({d.scan.mesh, d.scan.lattice, *d.scan.oracle, d.scan.crossings, d.region},
+                         {pieces, Inside::made}, sites);
+  std::vector<std::uint32_t> replaced;
+  std::set_difference(cut_mesh.touched.begin(), cut_mesh.touched.end(), cut_mesh.whole.begin(),
+                      cut_mesh.whole.end(), std::back_inserter(replaced));
+  return without_touched(surface, replaced, {&cut_mesh.kept, &cut_mesh.dropped}, sites);
 }
 
 }  // namespace suture

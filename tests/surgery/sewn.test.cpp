@@ -114,6 +114,22 @@ TEST_CASE(
   CHECK(objections == 0);  // not proved where triangles are pinched: a remodel would cut again
 }
 
+TEST_CASE("cut on both sides of the region, the surface is still a closed manifold") {
+  std::size_t cuts = 0;
+  for (std::uint64_t seed = 1; seed <= 80; ++seed) {
+    const HostileCase c = with_events(seed);
+    const Detection d = detect(c.surface, c.options);
+    if (d.region.empty()) continue;
+    for (const Pieces pieces : {Pieces::cell_by_cell, Pieces::merged}) {
+      const Audit result = audit(cut_on_both_sides(c.surface, d, pieces));
+      CAPTURE(seed, static_cast<int>(pieces), result.first);
+      REQUIRE(result.closed_manifold());
+    }
+    ++cuts;
+  }
+  CHECK(cuts > 40);
+}
+
 TEST_CASE("two triangles at a mesh edge never both take a diagonal along it") {
   // A wedge stands with its edge on a lattice line: what the region takes from either triangle has
   // no width, so a diagonal past it, from end to end of the edge, turns no triangle over.

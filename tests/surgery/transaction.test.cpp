@@ -1,34 +1,34 @@
 #include <catch2/catch.hpp>
 #include <cfenv>
+#include <map>
 
 #include "kernel/errors.h"
 #include "surgery/invariance.h"
 #include "surgery/remodel.h"
-#include "tests/brute/lying_oracle.h"
+#include "tests/brute/lying_runs.h"
 #include "tests/surgery/hostile.h"
 #include "tests/surgery/support.h"
 
 using namespace suture;
 
 TEST_CASE("under an oracle that lies, a remodel refuses or commits a closed manifold, never junk") {
-  int refused = 0, committed = 0;
-  for (std::uint64_t seed = 1; seed <= 600; ++seed) {
-    const HostileCase c = HostileCases(seed).make();
-    const LyingOracle oracle(seed % 3 == 0 ? 0.3 : seed % 3 == 1 ? 0.01 : 0.0005, seed);
-    Surface surface{to_mesh(c.surface), c.surface};
-    const SurgeryReport report = remodel(surface, c.options, oracle, nullptr);
-    CAPTURE(seed, report.failure);
-    if (report.outcome == Outcome::committed) {
-      ++committed;
-      CHECK(audit(surface.triangles).closed_manifold());
-    } else {
-      refused += report.outcome == Outcome::refused ? 1 : 0;
-      CHECK(surface.triangles == c.surface);
-    }
-    CHECK(to_triangles(surface.mesh) == surface.triangles);
+  std::map<double, LyingRun> sum;
+  for (std::uint64_t seed = 1; seed <= 2500; ++seed) {
+    const LyingRun run = run_lying(seed);
+    CAPTURE(seed, run.probability);
+    CHECK(run.fault == "");
+    LyingRun& s = sum[run.probability];
+    s.committed += run.committed;
+    s.refused += run.refused;
+    s.improved += run.improved;
   }
-  CHECK(refused > 100);
-  CHECK(committed > 50);
+  for (const auto& [probability, s] : sum) {
+    CAPTURE(probability);
+    CHECK((s.refused > 0 || probability < 1e-3));
+    CHECK((s.committed > 20 || probability > 1e-3));
+    CHECK((s.committed > 0 || probability > 0.01));
+    CHECK(s.improved > 0);
+  }
 }
 
 TEST_CASE("the audit sees a change of winding outside the region, and none inside it") {

@@ -9,18 +9,12 @@ namespace suture::extremes {
 
 namespace {
 
-/// Volume of the union of two balls of radius 1 whose centres are d apart.
-double union_volume(double d) {
-  const double lens = std::numbers::pi * (2 - d) * (2 - d) * (d * d + 4 * d) / (12 * d);
-  return 8.0 / 3 * std::numbers::pi - lens;
-}
-
 /// Two balls, radius 1, in cells of `size`; the error is that of the union.
 Result cells_of(double size, int frequency) {
   Triangles surface = two_balls(frequency);
   Result r = perform(surface, {.cell_size = size});
-  const double exact = r.outcome == "committed" ? union_volume(Point(1.187, 0.293, 0.097).norm())
-                                                : volume(two_balls(frequency));
+  const double exact =
+      r.outcome == "committed" ? union_of_two_balls(frequency) : volume(two_balls(frequency));
   r.error = relative(volume(surface), exact);
   return r;
 }
@@ -29,12 +23,12 @@ Result cells_of(double size, int frequency) {
 /// axis.
 Result far_apart(double cells) {
   const auto pair = [](const Point& at) {
-    return together(corner_tetrahedron(at, 6.3),
-                    corner_tetrahedron(at + Point(1.2, 1.3, 1.4), 6.3));
+    return together(corner_tetrahedron(at, 6.25),
+                    corner_tetrahedron(at + Point(1.25, 1.375, 1.5), 6.25));
   };
   const Point far = Point::Constant(cells - 16);
-  Triangles near = pair({0.1, 0.2, 0.3});
-  Triangles surface = together(near, pair(Point(0.1, 0.2, 0.3) + far));
+  Triangles near = pair(Point::Constant(0.125));
+  Triangles surface = together(near, translated(near, far));
   perform(near, {.cell_size = 1});
   Result r = perform(surface, {.cell_size = 1});
   if (r.outcome.starts_with("InvalidInput")) return r;
@@ -45,12 +39,12 @@ Result far_apart(double cells) {
 }
 
 Result filled(int cells, const TrackerOptions& options) {
-  Triangles surface = gyroid(cells, 0.2);
+  Triangles surface = gyroid(cells, 0.34);
   const double was = volume(surface);
   Result r = perform(surface, options);
   r.error = relative(volume(surface), was);
   r.note = fmt::format("{} of {} bodies", components(surface).count,
-                       components(gyroid(cells, 0.2)).count);
+                       components(gyroid(cells, 0.34)).count);
   return r;
 }
 
@@ -77,14 +71,14 @@ void add_lattice_rows(std::vector<Row>& rows) {
                     [=] { return far_apart(std::ldexp(1.0, bits)); }});
   rows.push_back({"sparse lattice", "(2^21 - 3)^3 cells", [] { return far_apart(0x1p21 - 3); }});
   rows.push_back({"sparse lattice", "(2^21 - 2)^3 cells", [] { return far_apart(0x1p21 - 2); }});
-  for (const int n : {4, 8, 16, 32, 64}) {
+  for (const int n : {4, 8, 16, 32}) {
     rows.push_back({"every cell holds mesh", fmt::format("{}^3 cells", n),
                     [=] { return filled(n, {.cell_size = 1}); }});
     rows.push_back({"every cell is re-sampled", fmt::format("{}^3 cells", n), [=] {
                       return filled(n, {.cell_size = 1, .cell_test = CellTest::plain, .depth = 0});
                     }});
   }
-  for (const double n : {1e2, 1e3, 1e4, 1e5, 1e6})
+  for (const double n : {1e2, 1e3, 1e4, 3e4})
     rows.push_back({"one triangle over many cells", fmt::format("bar, {:g}", n),
                     [=] { return one_over_many(n, false); }});
   for (const double n : {100.0, 300.0, 1000.0})

@@ -81,7 +81,8 @@ std::string measure(const Row& row, unsigned limit) {
   if (pipe(ends) != 0) throw InternalFailure("extremes", "no pipe");
   const pid_t child = fork();
   if (child == 0) {
-    alarm(limit);
+    const rlimit most{limit, limit + 5};
+    setrlimit(RLIMIT_CPU, &most);
     const std::string said = child_says(row);
     const auto written = write(ends[1], said.data(), said.size());
     _exit(written == static_cast<ssize_t>(said.size()) ? 0 : 1);
@@ -98,8 +99,8 @@ std::string measure(const Row& row, unsigned limit) {
   const double peak = static_cast<double>(used.ru_maxrss) / 1024;
   if (WIFSIGNALED(status)) {
     const double cpu = static_cast<double>(used.ru_utime.tv_sec + used.ru_stime.tv_sec);
-    const std::string how = WTERMSIG(status) == SIGALRM
-                                ? fmt::format("HANG: over {} s", limit)
+    const std::string how = WTERMSIG(status) == SIGXCPU
+                                ? fmt::format("LIMIT: over {} s of CPU", limit)
                                 : fmt::format("CRASH: signal {}", WTERMSIG(status));
     return fmt::format("{},{},{},,,,,{:.1f},{:.0f},", row.extreme, row.value, how, cpu, peak);
   }

@@ -37,6 +37,10 @@ Result perform(Triangles& surface, const TrackerOptions& options, const Task& ta
 /// a / b − 1.
 inline double relative(double a, double b) { return a / b - 1; }
 
+/// Volume of the union of two_balls(frequency), by corefinement where that is quick; of the round
+/// balls above frequency 64, which the faceted ones approach.
+double union_of_two_balls(int frequency);
+
 double cpu_seconds();
 std::string text(const char* format, double value);
 
