@@ -155,10 +155,12 @@ Objection object_invariance(const Observation& o) {
 /// With the deep-cell test at a depth of a cell or more, what a remodel leaves calls for nothing
 /// more: the sides of nodes have stayed, so mixed cells have, and what was near them still is.
 /// (With the plain test or depth 0, cells that are complex without an event may be re-sampled
-/// again: a known limit.) A node within rounding of the surface may have changed its side.
+/// again: a known limit.) A node within rounding of the surface may have changed its side. Another
+/// known limit: copies of bodies are dropped all or none, so those that something else kept may be
+/// dropped once that is re-sampled.
 Objection object_settled(const Observation& o) {
   if (o.surgery == nullptr || o.moved || o.options.cell_test != CellTest::deep ||
-      o.options.depth < 1 || jitters(o) || !committed(o))
+      o.options.depth < 1 || jitters(o) || !committed(o) || o.surgery->region.empty())
     return {};
   const SurfaceDistance distance(o.before, exactly(o.options));
   for (const Index3& node : corners_of(o.surgery->region, o.options.depth))

@@ -122,6 +122,9 @@ TEST_CASE("the settled oracle objects to a second surgery, but not with the plai
   Observation o = h.seen();
   o.moved = false;
   CHECK(object_settled(o));
+  h.surgery.region.clear();  // copies were dropped, nothing was re-sampled
+  CHECK_FALSE(object_settled(o));
+  h.surgery.region.push_back(0);
   h.options.cell_test = CellTest::plain;
   CHECK_FALSE(object_settled(o));
 }
