@@ -39,11 +39,13 @@ Cost remodel_cost(const Triangles& surface, double cell) {
 /// A fuzzer wants many small cases: what would take a second is left to other tests.
 bool too_costly(const Tracker& tracker, Kind kind) {
   constexpr double kMostCrossings = 1e5, kMostPlanes = 1e4, kMostTriangles = 2e4;
+  constexpr double kRestarts = 30;  // the paper's order cuts again at each gridlock
   const Triangles& surface = tracker.surface();
   const TrackerOptions& o = tracker.options();
   if (kind == Kind::remodel) {
     const Cost cost = remodel_cost(surface, o.cell_size);
-    return !(cost.crossings <= kMostCrossings && cost.planes <= kMostPlanes);
+    const double most = kMostCrossings / (o.collapse == Collapse::paper ? kRestarts : 1);
+    return !(cost.crossings <= most && cost.planes <= kMostPlanes);
   }
   if (kind != Kind::improve) return false;
   const double edge =
