@@ -18,7 +18,8 @@ using VelocityField = std::function<Point(const Point&, double)>;
 /// Owns the surface. Each call either does what it says or leaves the surface as it was.
 class Tracker {
  public:
-  /// Cells may be 2^-800 to 2^1000 long: in that range a scene × 2^k gives the same bits × 2^k.
+  /// Cells may be 2^-800 to 2^1000 long: in that range a scene × 2^k gives the same bits × 2^k, but
+  /// for coordinates that would be subnormal.
   /// \throw InvalidInput unless `surface` is a closed, oriented, edge- and vertex-manifold, finite,
   /// non-empty triangle mesh, the options are in range and the lattice fits doubles and indices
   Tracker(Triangles surface, const TrackerOptions& options);

@@ -77,11 +77,12 @@ class Page {
     if (own_ != nullptr && own_->sound()) {
       const Row& cheaper = *as_good_for_less(rows_, *own_);
       if (&cheaper == own_)
-        say("- Nothing tried is as good as the scene as it is in mean distance, largest distance "
-            "and volume, and cheaper: {}.\n",
+        say("- Nothing tried is as good as the scene as it is in distances, volume and "
+            "self-intersections, and cheaper: {}.\n",
             figures(*own_));
       else
-        say("- For no more error than the scene as it is, at the least cost: {} (run {}): {}{}.\n",
+        say("- For no more error or self-intersections than the scene as it is, at the least cost: "
+            "{} (run {}): {}{}.\n",
             choice(cheaper), cheaper.run, figures(cheaper), beside_own(cheaper));
     } else if (own_ != nullptr) {
       say("- The scene as it is is no sound choice: {}.\n", why(*own_));
@@ -189,7 +190,8 @@ const Row* as_good_for_less(const std::vector<Row>& rows, const Row& than) {
     if (!row.sound() || !(seconds(row) < seconds(*best))) continue;
     const bool as_good = row.figures.mean_distance() <= than.figures.mean_distance() &&
                          row.figures.max_distance() <= than.figures.max_distance() &&
-                         volume_error(row) <= volume_error(than);
+                         volume_error(row) <= volume_error(than) &&
+                         !(row.figures.intersecting_pairs > than.figures.intersecting_pairs);
     if (as_good) best = &row;
   }
   return best;

@@ -14,8 +14,8 @@ struct RecommendOptions {
 /// The sound row with the least mean distance; of equal ones the cheapest; null if there is none.
 const Row* least_error(const std::vector<Row>& rows);
 
-/// The cheapest sound row whose mean distance, largest distance and volume error are none above
-/// those of `than`; `than` itself if there is no cheaper one.
+/// The cheapest sound row whose mean distance, largest distance, volume error and self-intersecting
+/// pairs are none above those of `than`; `than` itself if there is no cheaper one.
 const Row* as_good_for_less(const std::vector<Row>& rows, const Row& than);
 
 /// A page in Markdown. Seconds are CPU seconds in the tracker.

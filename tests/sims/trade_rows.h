@@ -22,6 +22,7 @@ inline Row planted(int run, double seconds, double error, const std::string& des
   f.volume_error = -error;
   f.components = 1;
   f.euler = 2;
+  f.intersecting_pairs = 0;
   f.topology_right = 1;
   return row;
 }

@@ -75,6 +75,9 @@ TEST_CASE("the recommendation names the best, the cheaper that is as good, and w
   const std::vector<Row> rows = study();
   CHECK(least_error(rows)->run == 5);
   CHECK(as_good_for_less(rows, rows[2])->run == 4);
+  std::vector<Row> crossed = rows;
+  crossed[3].figures.intersecting_pairs = 1;  // as near and cheaper, but it passes through itself
+  CHECK(as_good_for_less(crossed, crossed[2])->run == 3);
   CHECK(as_good_for_less(rows, rows[0])->run == 1);
   const std::string page =
       recommendation(rows, {.title = "A scene", .reference = "a file", .cell_size = 0.1});

@@ -102,11 +102,12 @@ std::string measure(const Row& row, unsigned limit) {
     const std::string how = WTERMSIG(status) == SIGXCPU
                                 ? fmt::format("LIMIT: over {} s of CPU", limit)
                                 : fmt::format("CRASH: signal {}", WTERMSIG(status));
-    return fmt::format("{},{},{},,,,,{:.1f},{:.0f},", row.extreme, row.value, how, cpu, peak);
+    return fmt::format("{},{},{},,,,,{:.1f},{:.0f},", quoted(row.extreme), quoted(row.value), how,
+                       cpu, peak);
   }
   const std::size_t tab = said.find('\t');
-  return fmt::format("{},{},{},{:.0f},{}", row.extreme, row.value, said.substr(0, tab), peak,
-                     said.substr(tab + 1));
+  return fmt::format("{},{},{},{:.0f},{}", quoted(row.extreme), quoted(row.value),
+                     said.substr(0, tab), peak, said.substr(tab + 1));
 }
 
 }  // namespace
@@ -134,10 +135,10 @@ int main(int count, char** arguments) {
       "extreme,value,outcome,volume_error,bits_equal,triangles_before,triangles_after,cpu_seconds,"
       "peak_mb,note\n";
   for (std::size_t i = 0; i < rows.size(); ++i) {
-    fmt::print(stderr, "[{}/{}] {}, {}: ", i + 1, rows.size(), rows[i].extreme, rows[i].value);
+    fmt::print(stderr, "[{}/{}] ", i + 1, rows.size());
     std::fflush(stderr);
     const std::string line = measure(rows[i], limit);
-    fmt::print(stderr, "{}\n", line.substr(rows[i].extreme.size() + rows[i].value.size() + 2, 150));
+    fmt::print(stderr, "{}\n", line.substr(0, 200));
     table += line + "\n";
   }
   if (out.empty())
