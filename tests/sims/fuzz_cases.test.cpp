@@ -91,7 +91,7 @@ TEST_CASE("snapping puts coordinates exactly on planes, nudging one double besid
   std::vector<Point> snapped, nudged;
   Random random(5);
   for (int i = 0; i < 50; ++i)
-    snapped.emplace_back(random.uniform(-3, 3), random.uniform(-3, 3), random.uniform(-3, 3));
+    snapped.push_back(Point{random.uniform(-3, 3), random.uniform(-3, 3), random.uniform(-3, 3)});
   nudged = snapped;
   const Point origin = Point::Constant(0.1);
   const Lattice lattice = lattice_around(bounding_box(snapped), 0.3, origin, 3);
