@@ -19,7 +19,7 @@ inline Triangles times_power(Triangles surface, int exponent) {
 }
 
 /// Equal to the last bit: −0 is not 0.
-inline bool same_bits(const Triangles& a, const Triangles& b) {
+inline bool equal_bits(const Triangles& a, const Triangles& b) {
   if (a.triangles != b.triangles || a.positions.size() != b.positions.size()) return false;
   for (std::size_t i = 0; i < a.positions.size(); ++i)
     for (int k = 0; k < 3; ++k)

@@ -57,7 +57,7 @@ TEST_CASE("a fin on an edge makes it non-manifold") {
 }
 
 TEST_CASE("two tetrahedra on one vertex make it non-manifold, wherever it is in the list") {
-  const Triangles two = joined(tetrahedron(), turned(scaled(tetrahedron(), -1)));
+  const Triangles two = joined(tetrahedron(), turned(stretched(tetrahedron(), -1)));
   for (const std::uint32_t kept : {0U, 4U}) {
     Triangles s = two;
     for (Triangle& t : s.triangles)

@@ -22,11 +22,11 @@ TEST_CASE("volume does not suffer from a far origin") {
 }
 
 TEST_CASE("measures hold at lengths whose squares and cubes leave the doubles") {
-  CHECK(volume(scaled(cube(0, 1), 1e100)) == Approx(1e300).epsilon(1e-15));
-  CHECK(area(scaled(cube(0, 1), 1e-160)) == Approx(6e-320).epsilon(1e-3));
-  CHECK(edge_lengths(scaled(cube(0, 1), 1e200)).longest == Approx(std::sqrt(2) * 1e200));
-  CHECK(angles(scaled(cube(0, 1), 1e-200)).smallest == Approx(45));
-  CHECK(angles(scaled(cube(0, 1), 1e200)).largest == Approx(90));
+  CHECK(volume(stretched(cube(0, 1), 1e100)) == Approx(1e300).epsilon(1e-15));
+  CHECK(area(stretched(cube(0, 1), 1e-160)) == Approx(6e-320).epsilon(1e-3));
+  CHECK(edge_lengths(stretched(cube(0, 1), 1e200)).longest == Approx(std::sqrt(2) * 1e200));
+  CHECK(angles(stretched(cube(0, 1), 1e-200)).smallest == Approx(45));
+  CHECK(angles(stretched(cube(0, 1), 1e200)).largest == Approx(90));
 }
 
 TEST_CASE("Euler characteristic counts used vertices only, and open surfaces too") {

@@ -124,14 +124,14 @@ TEST_CASE("equally near triangles give the lowest, and equal triangles do not un
 TEST_CASE("distances scale with the surface, to the ends of the doubles") {
   for (const double scale : {0x1p-1040, 0x1p-600, 1.0, 0x1p600, 0x1p1020}) {
     INFO(scale);
-    const NearestTriangle nearest(scaled(cube(0, 1), scale));
+    const NearestTriangle nearest(stretched(cube(0, 1), scale));
     CHECK(nearest.distance(Point(0.5, 0.5, 3) * scale) == 2 * scale);
     CHECK(nearest.distance(Point(-3, 0.5, 5) * scale) == 5 * scale);
   }
-  const NearestTriangle small(scaled(cube(0, 1), 1e-30));
+  const NearestTriangle small(stretched(cube(0, 1), 1e-30));
   CHECK(small.distance({3e200, 4e200, 0}) == Approx(5e200));
   CHECK(small.distance({1e250, 0, 0}) == 1e250);
-  CHECK(NearestTriangle(scaled(cube(0, 1), 0)).distance({3, 4, 0}) == 5);
+  CHECK(NearestTriangle(stretched(cube(0, 1), 0)).distance({3, 4, 0}) == 5);
 }
 
 TEST_CASE("surfaces that cannot be asked are refused") {

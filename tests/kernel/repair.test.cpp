@@ -174,7 +174,7 @@ TEST_CASE("a wall between two bodies goes, a pillow goes whole") {
 }
 
 TEST_CASE("a vertex that joins fans is split") {
-  Triangles s = joined(tetrahedron(), turned(scaled(tetrahedron(), -1)));
+  Triangles s = joined(tetrahedron(), turned(stretched(tetrahedron(), -1)));
   for (Triangle& t : s.triangles)
     for (std::uint32_t& v : t)
       if (v == 4) v = 0;

@@ -52,7 +52,7 @@ inline Triangles turned(Triangles s) {
   return s;
 }
 
-inline Triangles scaled(Triangles s, double factor) {
+inline Triangles stretched(Triangles s, double factor) {
   for (Point& p : s.positions) p *= factor;
   return s;
 }
