@@ -175,7 +175,7 @@ TEST_CASE("the carved ball reaches the resolution of the paper's Figure 1", "[sl
   CHECK(audit(ball).closed_manifold());
 }
 
-TEST_CASE("the same parameters give the same bits, and another seed another ball") {
+TEST_CASE("the same parameters give the same bits, and another seed another ball", "[slow]") {
   for (const ShapeInfo& shape : shape_catalogue())
     if (shape.name != "animal")
       CHECK(make_shape(shape.name, {{"edge_length", 0.2}}) ==

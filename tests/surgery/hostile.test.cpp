@@ -55,7 +55,13 @@ bool survive(std::uint64_t seed) {
 
 }  // namespace
 
-TEST_CASE("three thousand random and hostile surgeries each leave a closed manifold") {
+TEST_CASE("three hundred hostile surgeries leave closed manifolds, under sanitizers too") {
+  int operated = 0;
+  for (std::uint64_t seed = 3001; seed <= 3300; ++seed) operated += survive(seed) ? 1 : 0;
+  CHECK(operated >= 180);
+}
+
+TEST_CASE("three thousand random and hostile surgeries each leave a closed manifold", "[slow]") {
   int operated = 0;
   for (std::uint64_t seed = 1; seed <= 3000; ++seed) operated += survive(seed) ? 1 : 0;
   WARN(operated << " of 3000 inputs needed surgery");

@@ -73,9 +73,11 @@ void resolve_all(int cells) {
 
 }  // namespace
 
-TEST_CASE("every closed mesh of the package is resolved at 20 cells") { resolve_all(20); }
-TEST_CASE("every closed mesh of the package is resolved at 64 cells") { resolve_all(64); }
-TEST_CASE("every closed mesh of the package is resolved at 150 cells") { resolve_all(150); }
+TEST_CASE("every closed mesh of the package is resolved at 20 cells", "[slow]") { resolve_all(20); }
+TEST_CASE("every closed mesh of the package is resolved at 64 cells", "[slow]") { resolve_all(64); }
+TEST_CASE("every closed mesh of the package is resolved at 150 cells", "[slow]") {
+  resolve_all(150);
+}
 
 TEST_CASE("every broken mesh of the package is refused with its reason") {
   for (const Listed& model : package()) {

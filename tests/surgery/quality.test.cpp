@@ -234,7 +234,7 @@ TEST_CASE("a mesh and its copy at another scale are improved alike") {
   CHECK(large == small);
 }
 
-TEST_CASE("edges and angles stay bounded over a thousand steps of a swirling flow") {
+TEST_CASE("edges and angles stay bounded over a thousand steps of a swirling flow", "[slow]") {
   // The flow swings, so that the body keeps its topology; what grows worse each swing would show.
   // Measured: angles from 1 degree up, 0.6 % of triangles bad at worst, edges 0.14 to 1.5 lengths,
   // volume within 3.0 %, of which improvement itself makes 0.4 %; the rest is vertices too few for
