@@ -39,7 +39,8 @@ TEST_CASE("in the paper's order two balls merge with straight arcs only") {
   CHECK(again.outcome == Outcome::unchanged);
 }
 
-TEST_CASE("in the paper's order hostile input gridlocks, and growing the region resolves it") {
+TEST_CASE("in the paper's order hostile input gridlocks, and growing the region resolves it",
+          "[slow]") {
   std::size_t operated = 0, refused = 0, restarts = 0, bent = 0, grown = 0, delayed = 0;
   for (std::uint64_t seed = 1; seed <= 400; ++seed) {
     HostileCase c = HostileCases(seed).make();
