@@ -179,7 +179,7 @@ TEST_CASE("hostile meshes stay closed manifolds and lose their slivers") {
   }
 }
 
-TEST_CASE("improvement changes no winding at a lattice node, near the surface or on it") {
+TEST_CASE("improvement changes no winding at a lattice node, near the surface or on it", "[slow]") {
   const auto oracle = make_filtered_oracle();
   for (std::uint64_t seed = 0; seed < 12; ++seed) {
     Dice dice(seed);
