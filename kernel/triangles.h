@@ -3,7 +3,9 @@
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>  // cross products
+#include <algorithm>
 #include <array>
+#include <bit>
 #include <cstdint>
 #include <vector>
 
@@ -25,5 +27,16 @@ struct Triangles {
 
   bool operator==(const Triangles&) const = default;
 };
+
+/// Equal to the last bit: −0 is not 0, and a NaN is itself.
+inline bool same_bits(const Triangles& a, const Triangles& b) {
+  const auto bits = [](double x) { return std::bit_cast<std::uint64_t>(x); };
+  return a.triangles == b.triangles &&
+         std::equal(a.positions.begin(), a.positions.end(), b.positions.begin(), b.positions.end(),
+                    [&](const Point& p, const Point& q) {
+                      return bits(p[0]) == bits(q[0]) && bits(p[1]) == bits(q[1]) &&
+                             bits(p[2]) == bits(q[2]);
+                    });
+}
 
 }  // namespace suture

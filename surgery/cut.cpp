@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <map>
+#include <optional>
 
 #include "surgery/kept_pieces.h"
 
@@ -68,24 +69,38 @@ class Cutter {
   }
 
  private:
+  struct Kept {
+    std::vector<Triangle> triangles, dropped;
+    std::vector<Arc> arcs;
+  };
+
   void cut_triangle(std::uint32_t t) {
     const TrianglePieces pieces =
         triangle_pieces(in_.mesh, t, in_.lattice, in_.oracle, in_.crossings);
-    KeptPieces kept(in_, t, pieces, sites_), dropped(in_, t, pieces, sites_, Part::inside);
-    const bool inside_too = options_.inside == Inside::made;
+    KeptPieces kept(in_, t, pieces, sites_);
+    std::optional<KeptPieces> dropped;
+    if (options_.inside == Inside::made) dropped.emplace(in_, t, pieces, sites_, Part::inside);
     if (!split_.contains(t)) {
-      auto merged = kept.merged(inserted_);
-      if (merged && inside_too) dropped.avoid(*merged);
-      auto below = inside_too ? dropped.merged(inserted_) : std::optional(std::vector<Triangle>{});
-      if (merged && below) {
-        done_[t] = {std::move(*merged), std::move(*below), kept.arcs()};
+      if (auto merged = merge(kept, dropped)) {
+        done_[t] = std::move(*merged);
         return;
       }
       split_.emplace(t, 1);
       insert_all(t);
     }
-    done_[t] = {kept.cell_by_cell(), inside_too ? dropped.cell_by_cell() : std::vector<Triangle>{},
+    done_[t] = {kept.cell_by_cell(), dropped ? dropped->cell_by_cell() : std::vector<Triangle>{},
                 kept.arcs()};
+  }
+
+  /// Both parts merged, or nothing where one of them cannot be.
+  std::optional<Kept> merge(KeptPieces& kept, std::optional<KeptPieces>& dropped) const {
+    auto outside = kept.merged(inserted_);
+    if (!outside) return std::nullopt;
+    if (!dropped) return Kept{std::move(*outside), {}, kept.arcs()};
+    dropped->avoid(*outside);
+    auto inside = dropped->merged(inserted_);
+    if (!inside) return std::nullopt;
+    return Kept{std::move(*outside), std::move(*inside), kept.arcs()};
   }
 
   /// Every crossing of the triangle's edges becomes a vertex, so its neighbours must be cut again.
@@ -103,10 +118,6 @@ class Cutter {
     }
   }
 
-  struct Kept {
-    std::vector<Triangle> triangles, dropped;
-    std::vector<Arc> arcs;
-  };
   const CutInput& in_;
   CutOptions options_;
   Sites& sites_;

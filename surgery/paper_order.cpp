@@ -4,7 +4,6 @@
 #include <CGAL/boost/graph/Euler_operations.h>
 
 #include <algorithm>
-#include <map>
 
 #include "kernel/errors.h"
 #include "surgery/collapse_queue.h"
@@ -107,7 +106,7 @@ LatticeId across(const ArcChain& chain) {
 
 std::vector<ArcChain> chains_of(const std::vector<Arc>& boundary, const Sites& sites) {
   // A type 2 site is on one boundary face, which has one cell in the region: one arc leaves it.
-  std::map<std::uint32_t, std::uint32_t> onward;
+  std::vector<std::uint32_t> onward(sites.all().size(), kNone);
   for (const Arc& arc : boundary)
     if (sites[arc.from].kind == SiteKind::type2) onward[arc.from] = arc.to;
   std::vector<ArcChain> chains;
@@ -115,10 +114,10 @@ std::vector<ArcChain> chains_of(const std::vector<Arc>& boundary, const Sites& s
     if (sites[arc.from].kind != SiteKind::type1) continue;
     ArcChain chain{arc.cell, arc.face, {arc.from, arc.to}};
     while (sites[chain.sites.back()].kind == SiteKind::type2) {
-      const auto next = onward.find(chain.sites.back());
-      if (next == onward.end() || chain.sites.size() > onward.size() + 2)
+      const std::uint32_t next = onward[chain.sites.back()];
+      if (next == kNone || chain.sites.size() > onward.size())
         throw InternalFailure("collapse", "an arc does not lead to a type 1 vertex");
-      chain.sites.push_back(next->second);
+      chain.sites.push_back(next);
     }
     chains.push_back(std::move(chain));
   }

@@ -78,15 +78,15 @@ struct Candidate {
   std::vector<LatticeId> gridlocked;  ///< cells that the region must take in first [§6.2]
 };
 
-/// Adds the sites of the fill to those of the cut, places them, and triangulates the loops.
-Patch fill_region(std::vector<Arc> boundary, const Surface& surface, const Detected& d,
-                  Placement placement, Sites& sites) {
-  const std::vector<Arc> arcs = gather_arcs(std::move(boundary), d.region, d.winding, sites);
+/// Adds the sites of the fill to those of the cut and places them. \return all arcs of the region
+std::vector<Arc> place_fill(std::vector<Arc> boundary, const Surface& surface, const Detected& d,
+                            Placement placement, Sites& sites) {
+  std::vector<Arc> arcs = gather_arcs(std::move(boundary), d.region, d.winding, sites);
   const DistanceField distance(
       surface.triangles, d.lattice, d.winding,
       placement == Placement::distance_field ? triangles_near(d) : std::vector<std::uint32_t>{});
   place_isosurface(placement, d.crossings, d.winding, d.lattice, distance, sites);
-  return fill(arcs, sites);
+  return arcs;
 }
 
 void report_surgery(const CutMesh& cut, const Patch& patch, const StitchedVertices& made,
@@ -124,7 +124,9 @@ Candidate operate(const Surface& surface, const Detected& d, Pieces pieces,
     if (!result.gridlocked.empty()) return result;
     cut_mesh.boundary = std::move(opened.boundary);
   }
-  const Patch patch = fill_region(cut_mesh.boundary, surface, d, options.placement, sites);
+  const std::vector<Arc> arcs = place_fill(cut_mesh.boundary, surface, d, options.placement, sites);
+  clock.ended("distance");
+  const Patch patch = fill(arcs, sites);
   clock.ended("fill");
   if (paper) {
     sewing.add({&patch.triangles});

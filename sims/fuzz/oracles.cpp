@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <numbers>
 #include <set>
 
@@ -194,15 +193,6 @@ Objection compare_winding(const Triangles& surface, const Lattice& lattice, cons
   const double angle = solid_angle(surface, lattice.node(node));
   if (std::abs(angle - winding) < 0.01) return {};
   return fmt::format("{} has winding {} but solid angle {}", name_of(node), winding, angle);
-}
-
-bool same_bits(const Triangles& a, const Triangles& b) {
-  const auto same = [](const auto& x, const auto& y) {
-    return x.size() == y.size() && (x.empty() || std::memcmp(static_cast<const void*>(x.data()),
-                                                             static_cast<const void*>(y.data()),
-                                                             x.size() * sizeof x[0]) == 0);
-  };
-  return same(a.positions, b.positions) && same(a.triangles, b.triangles);
 }
 
 const std::vector<FuzzOracle>& fuzz_oracles() {

@@ -50,9 +50,6 @@ class OracleChoice {
   std::vector<std::string> names_;
 };
 
-/// Whether two surfaces are the same to the last bit, signs of zeros included.
-bool same_bits(const Triangles& a, const Triangles& b);
-
 /// Whether the solid angle at a node is 4π times its winding. \pre the node is not near the surface
 Objection compare_winding(const Triangles& surface, const Lattice& lattice, const Index3& node,
                           int winding);

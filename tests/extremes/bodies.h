@@ -1,7 +1,6 @@
 // Bodies at the ends of what a mesh can be, for the tests and for the table in papers/.
 #pragma once
 
-#include <bit>
 #include <cmath>
 #include <numbers>
 
@@ -16,17 +15,6 @@ inline Triangles times_power(Triangles surface, int exponent) {
   for (Point& p : surface.positions)
     for (double& x : p) x = std::ldexp(x, exponent);
   return surface;
-}
-
-/// Equal to the last bit: −0 is not 0.
-inline bool equal_bits(const Triangles& a, const Triangles& b) {
-  if (a.triangles != b.triangles || a.positions.size() != b.positions.size()) return false;
-  for (std::size_t i = 0; i < a.positions.size(); ++i)
-    for (int k = 0; k < 3; ++k)
-      if (std::bit_cast<std::uint64_t>(a.positions[i][k]) !=
-          std::bit_cast<std::uint64_t>(b.positions[i][k]))
-        return false;
-  return true;
 }
 
 inline Triangles two_balls(int frequency = 8) {

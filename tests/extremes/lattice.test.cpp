@@ -2,28 +2,9 @@
 
 #include "kernel/errors.h"
 #include "tests/extremes/bodies.h"
+#include "tests/surgery/remodelled.h"
 
 using namespace suture;
-
-namespace {
-
-struct Run {
-  Triangles surface;
-  SurgeryReport report;
-};
-
-Run run(const Triangles& surface, const TrackerOptions& options) {
-  Tracker tracker(surface, options);
-  SurgeryReport report = tracker.remodel();
-  INFO(report.failure);
-  CHECK(report.outcome != Outcome::refused);
-  const Audit a = audit(tracker.surface());
-  INFO(a.first);
-  CHECK(a.closed_manifold());
-  return {tracker.surface(), std::move(report)};
-}
-
-}  // namespace
 
 TEST_CASE("in cells far larger than it a body stays if it holds a node, and goes if it does not") {
   for (const double cell : {1e200, 100.0, 4.0}) {
@@ -49,8 +30,9 @@ TEST_CASE("bodies in opposite corners of a lattice of 2^62 cells are remodelled 
   };
   const Triangles near = pair(Point::Constant(0.125));
   const double far = 0x1p21 - 19;  // the largest lattice: 2^21 − 3 cells along each axis
-  const Run one = run(near, {.cell_size = 1});
-  const Run both = run(together(near, translated(near, Point::Constant(far))), {.cell_size = 1});
+  const Remodelled one = remodelled(near, {.cell_size = 1});
+  const Remodelled both =
+      remodelled(together(near, translated(near, Point::Constant(far))), {.cell_size = 1});
   CHECK(one.report.components_after == 1);
   CHECK(both.report.components_after == 2);
   CHECK(both.report.surface_cells == 2 * one.report.surface_cells);
@@ -72,7 +54,8 @@ TEST_CASE("cells too many for the indices or the memory are refused before they 
 
 TEST_CASE("a surface in every cell of the lattice is re-sampled in all of them") {
   const Triangles surface = gyroid(6, 0.34);
-  const Run r = run(surface, {.cell_size = 1, .cell_test = CellTest::plain, .depth = 0});
+  const Remodelled r =
+      remodelled(surface, {.cell_size = 1, .cell_test = CellTest::plain, .depth = 0});
   CHECK(r.report.surface_cells >= 6 * 6 * 6);
   CHECK(r.report.outcome == Outcome::committed);
   CHECK(r.report.marked.total() > r.report.surface_cells / 2);
@@ -84,12 +67,12 @@ TEST_CASE("triangles across thousands of cells are cut in time that follows thei
     const auto bar = [&](const Point& at) { return box({at + size / 2, size, 4 * length}); };
     return together(bar({0.1, 0.2, 0.3}), bar({0.4, 0.8, 1.4}));
   };
-  const Run shorter = run(bars(500), {.cell_size = 1});
-  const Run longer = run(bars(2000), {.cell_size = 1});
+  const Remodelled shorter = remodelled(bars(500), {.cell_size = 1});
+  const Remodelled longer = remodelled(bars(2000), {.cell_size = 1});
   CHECK(longer.report.components_after == 1);
   CHECK(volume(longer.surface) == Approx(2 * 2000 * 2.3 * 2.3 - 1999.7 * 1.7 * 1.2).epsilon(0.01));
   // What is left must not cross the lattice as often as the square of the length either.
-  const Run again = run(longer.surface, {.cell_size = 1}),
-            was = run(shorter.surface, {.cell_size = 1});
+  const Remodelled again = remodelled(longer.surface, {.cell_size = 1}),
+                   was = remodelled(shorter.surface, {.cell_size = 1});
   CHECK(again.report.crossings < 5 * was.report.crossings);
 }

@@ -1,9 +1,6 @@
 // Tiny surfaces for tests, built in code.
 #pragma once
 
-#include <bit>
-#include <cstring>
-
 #include "kernel/random.h"
 #include "kernel/triangles.h"
 
@@ -66,17 +63,6 @@ inline Triangles soup(const Triangles& s) {
     loose.triangles.push_back({v, v + 1, v + 2});
   }
   return loose;
-}
-
-/// Equal to the last bit: −0 is not 0.
-inline bool same_bits(const Triangles& a, const Triangles& b) {
-  if (a.triangles != b.triangles || a.positions.size() != b.positions.size()) return false;
-  for (std::size_t i = 0; i < a.positions.size(); ++i)
-    for (int k = 0; k < 3; ++k)
-      if (std::bit_cast<std::uint64_t>(a.positions[i][k]) !=
-          std::bit_cast<std::uint64_t>(b.positions[i][k]))
-        return false;
-  return true;
 }
 
 class Dice : public Random {

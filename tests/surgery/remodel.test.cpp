@@ -1,29 +1,12 @@
 #include <catch2/catch.hpp>
 
 #include "kernel/errors.h"
-
 #include "kernel/self_intersections.h"
-#include "tests/surgery/support.h"
+#include "tests/surgery/remodelled.h"
 
 using namespace suture;
 
 namespace {
-
-struct Result {
-  Triangles surface;
-  SurgeryReport report;
-};
-
-Result remodelled(const Triangles& surface, const TrackerOptions& options) {
-  Tracker tracker(surface, options);
-  SurgeryReport report = tracker.remodel();
-  INFO(report.failure);
-  CHECK(report.outcome != Outcome::refused);
-  const Audit result = audit(tracker.surface());
-  INFO(result.first);
-  CHECK(result.closed_manifold());
-  return {tracker.surface(), std::move(report)};
-}
 
 /// Volume of the union of two balls of radii r and s whose centres are d apart.
 double union_volume(double r, double s, double d) {
@@ -40,7 +23,7 @@ TEST_CASE("two balls merge to one at every size and lattice offset") {
     for (const double offset : {0.0, 0.017, 0.031, 0.05, 0.0731}) {
       const Point at(1.1 + offset, 0.2, 0.1 + offset);
       const Triangles two = together(ball(1, Point::Constant(offset), 16), ball(radius, at, 16));
-      const Result r = remodelled(two, {.cell_size = 0.1});
+      const Remodelled r = remodelled(two, {.cell_size = 0.1});
       CAPTURE(radius, offset);
       CHECK(r.report.outcome == Outcome::committed);
       CHECK(r.report.components_after == 1);
@@ -57,7 +40,7 @@ TEST_CASE("the union of two balls converges to the exact one as cells shrink") {
   const double exact = union_volume(1, 1, Point(1.187, 0.293, 0.097).norm());
   double last = 1;
   for (const int cells : {16, 32, 64}) {
-    const Result r = remodelled(two, {.cell_size = 3.2 / cells});
+    const Remodelled r = remodelled(two, {.cell_size = 3.2 / cells});
     const double error = std::abs(volume(r.surface) / exact - 1);
     CHECK(error < last);
     last = error;
@@ -68,7 +51,7 @@ TEST_CASE("the union of two balls converges to the exact one as cells shrink") {
 TEST_CASE("a dumbbell whose neck is a tenth of a cell splits in two") {
   for (const double shift : {0.0, 0.04, 0.09}) {
     const Triangles body = dumbbell({{shift, 0.05, 0.03}, 0.5, 2.4, 0.005, 0.2, 0.05});
-    const Result r = remodelled(body, {.cell_size = 0.1});
+    const Remodelled r = remodelled(body, {.cell_size = 0.1});
     CAPTURE(shift);
     CHECK(r.report.components_after == 2);
     CHECK(r.report.euler_after == 4);
@@ -80,7 +63,7 @@ TEST_CASE("a dumbbell whose neck is a tenth of a cell splits in two") {
 
 TEST_CASE("without events nothing changes, to the last bit") {
   const Triangles two = together(ball(1), ball(0.8, {1.113, 0.207, 0.109}));
-  const Result r = remodelled(two, {.cell_size = 0.1, .events = Events::none});
+  const Remodelled r = remodelled(two, {.cell_size = 0.1, .events = Events::none});
   CHECK(r.report.outcome == Outcome::unchanged);
   CHECK(r.surface == two);
   for (std::uint32_t v = 0; v < two.positions.size(); ++v) REQUIRE(r.report.vertex_map[v] == v);
@@ -88,9 +71,9 @@ TEST_CASE("without events nothing changes, to the last bit") {
 
 TEST_CASE("merge alone keeps a sheet thinner than a cell, split takes it apart") {
   const Triangles plate = sheet({{0.013, 0.011, 0.05}, 2, 1, 0.02, 0, 0.05});
-  const Result kept = remodelled(plate, {.cell_size = 0.1, .events = Events::merge});
+  const Remodelled kept = remodelled(plate, {.cell_size = 0.1, .events = Events::merge});
   CHECK(kept.surface == plate);
-  const Result gone = remodelled(plate, {.cell_size = 0.1, .events = Events::split});
+  const Remodelled gone = remodelled(plate, {.cell_size = 0.1, .events = Events::split});
   CHECK(gone.report.marked.deep_outside > 0);
   CHECK(volume(gone.surface) < 0.5 * volume(plate));
 }
@@ -103,7 +86,7 @@ TEST_CASE("split alone keeps two slightly overlapping bodies apart, merge joins 
 
 TEST_CASE("a body that vanishes between the nodes leaves a valid surface, or none of it") {
   const Triangles pair = together(ball(1), ball(0.02, {3.05, 0.05, 0.05}, 2));
-  const Result r = remodelled(pair, {.cell_size = 0.1});
+  const Remodelled r = remodelled(pair, {.cell_size = 0.1});
   CHECK(r.report.components_after == 1);
   CHECK(r.report.euler_after == 2);
 }
@@ -113,7 +96,7 @@ TEST_CASE("boxes that share faces, edges and corners with the lattice merge as a
   for (const Point& by :
        std::vector<Point>{{0.5, 0, 0}, {0.5, 0.5, 0}, {0.5, 0.5, 0.5}, {0.25, 0.5, 0.75}})
     for (const double cell : {0.0625, 0.125, 0.25}) {
-      const Result r = remodelled(together(cube, translated(cube, by)), {.cell_size = cell});
+      const Remodelled r = remodelled(together(cube, translated(cube, by)), {.cell_size = cell});
       CAPTURE(by.transpose(), cell);
       CHECK(r.report.components_after == 1);
       CHECK(r.report.euler_after == 2);
@@ -125,7 +108,7 @@ TEST_CASE("a surface snapped onto the lattice is remodelled as any other") {
     Triangles two = together(ball(1, {0.01, 0.02, 0.03}, 8), ball(0.8, {1.113, 0.207, 0.109}, 8));
     for (Point& p : two.positions)
       for (int a = 0; a < 3; ++a) p[a] = std::round(p[a] / cell) * cell;
-    const Result r = remodelled(two, {.cell_size = cell});
+    const Remodelled r = remodelled(two, {.cell_size = cell});
     CHECK(r.report.components_after == 1);
   }
 }
@@ -140,8 +123,8 @@ TEST_CASE("a remodelled surface stays as it is, to the last bit") {
       for (const Placement placement : {Placement::distance_field, Placement::crossing}) {
         const TrackerOptions options{
             .cell_size = 0.1, .collapse = collapse, .placement = placement};
-        const Result first = remodelled(input, options);
-        const Result second = remodelled(first.surface, options);
+        const Remodelled first = remodelled(input, options);
+        const Remodelled second = remodelled(first.surface, options);
         CHECK(second.report.outcome == Outcome::unchanged);
         CHECK(second.surface == first.surface);
       }
@@ -155,9 +138,9 @@ TEST_CASE("both arithmetics give the same surface, bit for bit") {
   for (const Triangles& input : inputs)
     for (const Collapse collapse : {Collapse::straighten, Collapse::keep}) {
       TrackerOptions options{.cell_size = 0.125, .collapse = collapse};
-      const Result filtered = remodelled(input, options);
+      const Remodelled filtered = remodelled(input, options);
       options.arithmetic = Arithmetic::rational;
-      const Result rational = remodelled(input, options);
+      const Remodelled rational = remodelled(input, options);
       CHECK(filtered.report.outcome == Outcome::committed);
       CHECK(filtered.surface == rational.surface);
     }
@@ -175,8 +158,8 @@ TEST_CASE("a refused option is named") {
 TEST_CASE("the plain test re-samples more than the deep test does") {
   const Triangles two =
       together(ball(1, {0.01, 0.02, 0.03}, 16), ball(0.8, {1.113, 0.207, 0.109}, 16));
-  const Result deep = remodelled(two, {.cell_size = 0.1});
-  const Result plain = remodelled(two, {.cell_size = 0.1, .cell_test = CellTest::plain});
+  const Remodelled deep = remodelled(two, {.cell_size = 0.1});
+  const Remodelled plain = remodelled(two, {.cell_size = 0.1, .cell_test = CellTest::plain});
   CHECK(plain.report.marked.total() >= deep.report.marked.total());
   CHECK(plain.report.components_after == 1);
 }
@@ -193,16 +176,16 @@ TEST_CASE("an exact copy is dropped, unless a cavity tells the copies apart") {
   Triangles cavity = ball(0.5, {0.01, 0.02, 0.03});
   for (Triangle& t : cavity.triangles) std::swap(t[0], t[1]);
   const Triangles hollow = together(solid, cavity);
-  const Result twice = remodelled(together(solid, solid), {.cell_size = 0.1});
+  const Remodelled twice = remodelled(together(solid, solid), {.cell_size = 0.1});
   CHECK(twice.report.coincident_triangles == solid.triangles.size());
   CHECK(twice.surface == solid);
   CHECK(remodelled(together(hollow, hollow), {.cell_size = 0.1}).report.components_after == 2);
 
-  const Result filled = remodelled(together(solid, hollow), {.cell_size = 0.1});
+  const Remodelled filled = remodelled(together(solid, hollow), {.cell_size = 0.1});
   CHECK(filled.report.components_after == 1);
   CHECK(volume(filled.surface) == Approx(volume(solid)).epsilon(0.02));
 
-  const Result thicker = remodelled(
+  const Remodelled thicker = remodelled(
       together(hollow, together(ball(1.3, {0.01, 0.02, 0.03}), cavity)), {.cell_size = 0.1});
   CHECK(thicker.report.components_after == 2);  // both have the cavity, and so has their union
 }
@@ -212,9 +195,9 @@ TEST_CASE(
   const Triangles two =
       together(ball(1, {0.01, 0.02, 0.03}, 6), ball(0.8, {1.113, 0.207, 0.109}, 6));
   for (const Collapse collapse : {Collapse::straighten, Collapse::keep}) {
-    const Result one = remodelled(two, {.cell_size = 0.125, .collapse = collapse});
+    const Remodelled one = remodelled(two, {.cell_size = 0.125, .collapse = collapse});
     for (const int power : {-200, -60, 60, 150}) {
-      const Result other =
+      const Remodelled other =
           remodelled(scaled(two, std::ldexp(1.0, power)),
                      {.cell_size = std::ldexp(0.125, power), .collapse = collapse});
       CAPTURE(power);
@@ -234,7 +217,7 @@ TEST_CASE("long triangles across many cells are cut in time that follows their c
       {{0.013, 0.01, 0.02}, {0.013, 1.013, 0.017}, {0.113, 0.47, 1.03}, {100, 50.51, 33.52}},
       {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}}};
   for (const Triangles& body : {spike, slanted}) {
-    const Result r = remodelled(body, {.cell_size = 0.2});
+    const Remodelled r = remodelled(body, {.cell_size = 0.2});
     CHECK(r.report.outcome == Outcome::committed);
     CHECK(r.surface.triangles.size() < 2000);
   }
