@@ -1,0 +1,43 @@
+// Any way to track a moving surface, seen alike: what a measurement or a solver asks of it.
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "surgery/tracker.h"
+
+namespace suture {
+
+/// What a tracker has spent so far: CPU seconds of this process by part of the work, and counts.
+struct TrackerCost {
+  std::vector<std::pair<std::string, double>> seconds;  ///< part of the work, in a fixed order
+  std::vector<std::pair<std::string, double>> counts;   ///< cells re-sampled, particles, …
+};
+
+/// Owns a surface in whatever form it keeps it. Lengths and times are in the scene's unit.
+class SurfaceTracker {
+ public:
+  virtual ~SurfaceTracker() = default;
+
+  /// Moves the surface along u from time() to time() + dt, with all that belongs to the method at
+  /// every step or every few (remodels, re-initialisation, re-seeding).
+  /// \throw InvalidInput if u leads out of the finite numbers or of what the method can hold
+  virtual void advect(const VelocityField& u, double dt) = 0;
+
+  /// What the method else does every few steps, now: before a measurement, or at a frame's end.
+  virtual void settle() = 0;
+
+  /// The surface, closed and oriented outwards; empty where nothing is left. Contoured when it is
+  /// first asked for; the reference holds until the next advect or settle.
+  virtual const Triangles& surface() = 0;
+
+  /// Signed distance at p, negative inside; methods with a band give ± its width beyond it.
+  /// \pre the surface is not empty
+  virtual double distance(const Point& p) = 0;
+
+  virtual double time() const = 0;
+  virtual TrackerCost cost() const = 0;
+};
+
+}  // namespace suture
