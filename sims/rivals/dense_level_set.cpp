@@ -1,3 +1,4 @@
+// A dense box of distances: its nodes, its normals, and where the surface passes between nodes.
 #include "sims/rivals/dense_level_set.h"
 
 #include "kernel/errors.h"

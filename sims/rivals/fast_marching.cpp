@@ -1,3 +1,4 @@
+// Fast marching: nodes next to the surface first, then a heap of those beyond.
 #include "sims/rivals/fast_marching.h"
 
 #include <algorithm>

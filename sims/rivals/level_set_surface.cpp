@@ -1,3 +1,4 @@
+// Dense level sets from triangles and back.
 #include "sims/rivals/level_set_surface.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// What escaped markers do to the corners of their cells.
 #include "sims/rivals/marker_correction.h"
 
 #include "kernel/sparse_field.h"

@@ -1,3 +1,4 @@
+// Seeding, attraction, motion and re-seeding of markers.
 #include "sims/rivals/marker_particles.h"
 
 #include <algorithm>

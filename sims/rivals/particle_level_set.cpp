@@ -1,3 +1,4 @@
+// The order of a particle level set's step, behind the interface of all trackers.
 #include "sims/rivals/particle_level_set.h"
 
 #include <optional>

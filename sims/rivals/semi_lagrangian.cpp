@@ -1,3 +1,4 @@
+// Semi-Lagrangian steps: which nodes to fill, and where their paths come from.
 #include "sims/rivals/semi_lagrangian.h"
 
 #include <algorithm>
