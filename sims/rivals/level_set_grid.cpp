@@ -150,6 +150,15 @@ void require_valid(const BandOptions& o) {
                        "; it must be 1 to 1000 cells");
 }
 
+void require_within_reach(const openvdb::FloatGrid& grid) {
+  openvdb::CoordBBox box;
+  if (!grid.tree().evalLeafBoundingBox(box)) return;
+  const Coord low = box.min(), high = box.max();
+  if (low[low.minIndex()] <= -kMostCells || high[high.maxIndex()] >= kMostCells)
+    throw InvalidInput("the surface has moved more than " + std::to_string(kMostCells) +
+                       " cells from the lattice's origin; choose larger cells");
+}
+
 openvdb::FloatGrid::Ptr make_level_set(const Triangles& surface, const BandOptions& o) {
   require_valid(o);
   if (surface.triangles.empty()) return empty_grid<openvdb::FloatGrid>(o);
@@ -172,6 +181,16 @@ openvdb::DoubleGrid::Ptr make_band(const Triangles& near, const BandOptions& o,
   });
   openvdb::tools::signedFloodFill(grid->tree());
   return grid;
+}
+
+bool holds_zero_set(const openvdb::DoubleGrid& grid) {
+  const openvdb::MaskTree::Ptr cubes = crossed_cubes(grid.tree());
+  auto values = grid.getConstAccessor();
+  for (auto leaf = cubes->cbeginLeaf(); leaf; ++leaf)
+    for (auto cube = leaf->cbeginValueOn(); cube; ++cube)
+      for (int c = 0; c < 8; ++c)
+        if (!values.isValueOn(cube.getCoord().offsetBy(c & 1, c >> 1 & 1, c >> 2))) return false;
+  return true;
 }
 
 template <class Grid>

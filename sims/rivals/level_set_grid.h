@@ -33,6 +33,9 @@ struct BandOptions {
 /// half width at least 1
 void require_valid(const BandOptions& options);
 
+/// \throw InvalidInput if the band is farther than 2¹⁹ cells from the origin
+void require_within_reach(const openvdb::FloatGrid& grid);
+
 /// Exact signed distances, in cells, at the nodes less than half_width cells from the surface;
 /// elsewhere ± half_width, by flood fill. A level set for OpenVDB's tools, empty for an empty
 /// surface. \throw InvalidInput if the surface is not finite or more than 2¹⁹ cells from the origin
@@ -42,6 +45,9 @@ openvdb::FloatGrid::Ptr make_level_set(const Triangles& surface, const BandOptio
 /// values beyond the half width stay, and so do their nodes.
 openvdb::DoubleGrid::Ptr make_band(const Triangles& near, const BandOptions& options,
                                    const std::function<double(const Point&)>& value);
+
+/// Whether every cube whose corners are not on one side has all of them in the band.
+bool holds_zero_set(const openvdb::DoubleGrid& grid);
 
 /// The zero set of a grid by marching tetrahedra over all cubes that have a node of a leaf as a
 /// corner; closed, manifold and embedded if the tiles beyond do not change sign among themselves.
