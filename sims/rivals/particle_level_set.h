@@ -31,6 +31,7 @@ struct ParticleLevelSetOptions {
   int attraction_steps = 15;  ///< halvings of a step until a seed is given up [§3.1]
   int reinitialise_every = 1;  ///< steps; 0: never [2002 and 2005: each step]
   int reseed_every = 20;       ///< steps; 0: never [2002, §3.5]
+  int relaxation_steps = 3;    ///< weno: of one re-initialisation, each a cell long [OpenVDB's]
   std::uint64_t seed = 1;      ///< of the random places and levels of the particles
 };
 
