@@ -19,11 +19,11 @@ constexpr int kRings = 2;
 constexpr int kHighest = 4, kLowest = 2;  // degrees; 4 has a third of the error of 3 in Enright's
                                           // test at its turn, and 2 has three times that of 4
 constexpr int kMostTerms = (kHighest + 1) * (kHighest + 2) / 2;
-constexpr std::size_t kSpare = 2;      // samples more than terms, so that there is a residual
-constexpr std::size_t kMost = 64;      // samples; two rings have about 30
-constexpr double kFacing = 0.5;        // cosine of the most that a normal may lean over
-constexpr double kNear = 0.05;         // squared edges: within it samples count alike
-constexpr double kMostHeight = 0.5;    // edges: beyond it the surface is not one over this plane
+constexpr std::size_t kSpare = 2;    // samples more than terms, so that there is a residual
+constexpr std::size_t kMost = 64;    // samples; two rings have about 30
+constexpr double kFacing = 0.5;      // cosine of the most that a normal may lean over
+constexpr double kNear = 0.05;       // squared edges: within it samples count alike
+constexpr double kMostHeight = 0.5;  // edges: beyond it the surface is not one over this plane
 
 /// A vertex over the edge's frame, in lengths of the edge from its middle.
 struct Sample {

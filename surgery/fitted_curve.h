@@ -20,7 +20,7 @@ class FittedCurve {
   Point at(double part) const;
 
  private:
-  Point source_, along_, normal_;  ///< of the edge; `normal_` is of unit length
+  Point source_, along_, normal_;    ///< of the edge; `normal_` is of unit length
   std::array<double, 5> heights_{};  ///< by powers of part − 1/2, in lengths of the edge
 };
 

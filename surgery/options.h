@@ -43,7 +43,7 @@ enum class Subdivision {
 
 /// Mesh improvement [§6.2]. Lengths are in the scene's unit.
 struct QualityOptions {
-  double edge_length = 0;      ///< the length aimed at; 0: the cell size of the tracker
+  double edge_length = 0;  ///< the length aimed at; 0: the cell size of the tracker
   /// Where the surface is curved, edges aim at the length whose middle is this far from it; 0: at
   /// edge_length everywhere [Dunyach et al. 2013].
   double chord_error = 0;

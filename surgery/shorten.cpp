@@ -62,7 +62,9 @@ Ways ways_to_collapse(const Improvement& work, Mesh::Halfedge_index h) {
       return {{h, q}, {back, p}, {h, surface_point(work, h, 0.5)}};
     // Splits on the curve and collapses that keep the volume would blow the surface up together.
     const bool curved = work.options.subdivision == Subdivision::curved;
-    return {{h, curved ? surface_point(work, h, 0.5) : volume_keeping_point(mesh, h)}, {h, q}, {back, p}};
+    return {{h, curved ? surface_point(work, h, 0.5) : volume_keeping_point(mesh, h)},
+            {h, q},
+            {back, p}};
   }
   if (target_free) return {{back, p}, {h, q}};
   return {{h, q}, {back, p}};
@@ -84,7 +86,8 @@ bool leaves_good_shapes(const Improvement& work, Mesh::Halfedge_index h,
     worst = std::min(worst, shape_of(work.mesh, work.mesh.face(g)).smallest_sine);
   return worst_after(change) >= worst &&
          longest_edge(change, &LocalChange::Pair::after) <=
-             std::max(work.longest * work.scale(h), longest_edge(change, &LocalChange::Pair::before));
+             std::max(work.longest * work.scale(h),
+                      longest_edge(change, &LocalChange::Pair::before));
 }
 
 /// The first way that the rules allow and that leaves good shapes, if any; else why not.

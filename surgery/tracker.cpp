@@ -44,7 +44,8 @@ void require_in_range(const TrackerOptions& o) {
   if (!lengths || !shapes || !(q.volume_bound >= 0) || q.passes < 0)
     throw InvalidInput(
         "a quality option is out of range: lengths are finite with 0 <= shortest < longest, finest "
-        "is above 0 and at most 1, angles 0 to 180 degrees (smallest at most 60, largest at least), "
+        "is above 0 and at most 1, angles 0 to 180 degrees (smallest at most 60, largest at "
+        "least), "
         "chord_error, volume_bound and passes 0 or more");
 }
 

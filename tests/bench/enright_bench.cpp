@@ -1,161 +1,163 @@
-// What limits Enright's test with improvement: volume and distance at T/2 and T, by settings.
-#include <CLI/CLI.hpp>
-#include <cmath>
-#include <ctime>
-
+// What limits Enright's test with improvement: placement, resolution, time step, topology; as CSV.
 #include <fmt/format.h>
 
+#include <cmath>
+#include <cstdio>
+#include <ctime>
+#include <numbers>
+
 #include "kernel/measures.h"
-#include "kernel/self_intersections.h"
-#include "kernel/mesh_io.h"
 #include "kernel/shapes.h"
 #include "sims/flows/fields.h"
-
+#include "surgery/tracker.h"
 
 using namespace suture;
-double now_time = 0;
 
 namespace {
-const Point kCentre(0.35, 0.35, 0.35);
-double seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
-Point back(Point x, const VelocityField& u, double t) {
-  const int n = 300;
-  const double dt = -t / n;
-  for (int i = 0; i < n; ++i) {
+constexpr double kRadius = 0.15, kPeriod = 3;
+const Point kCentre(0.35, 0.35, 0.35);
+
+double cpu_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
+
+struct Setting {
+  const char* name;
+  QualityOptions quality;
+  double start_edge = 0.0078;
+  int exact_volume = 1;
+  double dt = 0.01;
+  int improve_every = 5, remodel_every = 0;
+  EnrightVariant variant = EnrightVariant::eltopo;
+};
+
+/// The place from which the flow brought x, by steps ten times shorter than any that is measured.
+Point traced_back(Point x, const VelocityField& u, double t) {
+  const int steps = static_cast<int>(std::ceil(t / 5e-3));
+  const double dt = -t / steps;
+  for (int i = 0; i < steps; ++i) {
     const double s = t + i * dt;
-    const Point k1 = u(x, s), k2 = u(x + dt / 2 * k1, s + dt / 2), k3 = u(x + dt / 2 * k2, s + dt / 2),
-                k4 = u(x + dt * k3, s + dt);
+    const Point k1 = u(x, s), k2 = u(x + dt / 2 * k1, s + dt / 2);
+    const Point k3 = u(x + dt / 2 * k2, s + dt / 2), k4 = u(x + dt * k3, s + dt);
     x += dt / 6 * (k1 + 2 * k2 + 2 * k3 + k4);
   }
   return x;
 }
 
-/// Mean and largest distance of vertices, carried back, from the sphere.
-void marker_error(const Triangles& s, const VelocityField& u, double t, double r, double& mean, double& most) {
-  mean = most = 0;
-  std::size_t n = 0;
-  std::vector<double> all;
-  for (std::size_t i = 0; i < s.positions.size(); i += 7) {
-    const double d = std::abs((back(s.positions[i], u, t) - kCentre).norm() - r);
-    mean += d;
-    all.push_back(d);
-    most = std::max(most, d);
-    ++n;
+struct MarkerError {
+  double mean = 0, max = 0;
+};
+
+/// How far vertices, traced back, are from the sphere that all of them should come from: of every
+/// seventh.
+MarkerError marker_error(const Triangles& s, const VelocityField& u, double t, double radius) {
+  MarkerError error;
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < s.positions.size(); i += 7, ++count) {
+    const double d = std::abs((traced_back(s.positions[i], u, t) - kCentre).norm() - radius);
+    error.mean += d;
+    error.max = std::max(error.max, d);
   }
-  mean /= static_cast<double>(n);
-  std::sort(all.begin(), all.end());
-  fmt::print("  quantiles 50 {:.1e} 75 {:.1e} 90 {:.1e} 95 {:.1e} 99 {:.1e}\n", all[n/2], all[n*3/4], all[n*9/10], all[n*95/100], all[n*99/100]);
+  error.mean /= static_cast<double>(count);
+  return error;
 }
 
-/// Mean over the area of | |x| − r |, by points of each triangle.
-double mean_distance(const Triangles& s, double r) {
+/// Mean over the surface of the distance to the ball's, by 36 points of each triangle.
+double mean_distance(const Triangles& s) {
+  constexpr int kRows = 8;
   double sum = 0, area = 0;
-  const int n = 8;
   for (const Triangle& t : s.triangles) {
-    const Point a = s.positions[t[0]] - kCentre, b = s.positions[t[1]] - kCentre, c = s.positions[t[2]] - kCentre;
-    const double w = (b - a).cross(c - a).norm() / 2;
+    const Point a = s.positions[t[0]] - kCentre, ab = s.positions[t[1]] - kCentre - a,
+                ac = s.positions[t[2]] - kCentre - a;
+    const double weight = ab.cross(ac).norm();
     double here = 0;
-    int count = 0;
-    for (int i = 0; i < n; ++i)
-      for (int j = 0; i + j < n; ++j) {
-        const double x = (i + 1. / 3) / n, y = (j + 1. / 3) / n;
-        here += std::abs((a + x * (b - a) + y * (c - a)).norm() - r);
-        ++count;
-      }
-    sum += w * here / count;
-    area += w;
+    for (int i = 0; i < kRows; ++i)
+      for (int j = 0; i + j < kRows; ++j)
+        here +=
+            std::abs((a + (i + 1. / 3) / kRows * ab + (j + 1. / 3) / kRows * ac).norm() - kRadius);
+    sum += weight * here / (kRows * (kRows + 1) / 2);
+    area += weight;
   }
   return sum / area;
 }
-}  // namespace
 
-int main(int argc, char** argv) {
-  CLI::App app;
-  TrackerOptions o;
-  QualityOptions& q = o.quality;
-  q.edge_length = 0.01;
-  double start = 0.01, dt = 0.01, radius = 0.15;
-  int every = 1;
-  bool leveque = false, volume_radius = false;
-  std::string sub = "curved", save;
-  int often = 0;
-  bool trace = false;
-  app.add_flag("--trace", trace);
-  app.add_option("--often", often);
-  app.add_option("--start", start);
-  app.add_option("--dt", dt);
-  app.add_option("--every", every);
-  app.add_option("--edge", q.edge_length);
-  app.add_option("--longest", q.longest);
-  app.add_option("--shortest", q.shortest);
-  app.add_option("--angle", q.smallest_angle);
-  app.add_option("--large", q.largest_angle);
-  app.add_option("--volume", q.volume_bound);
-  app.add_option("--passes", q.passes);
-  app.add_option("--sub", sub);
-  app.add_option("--save", save);
-  app.add_flag("--leveque", leveque);
-  app.add_flag("--exact-volume", volume_radius);
-  app.add_flag("--no-features{false}", q.keep_features);
-  app.add_option("--chord", q.chord_error);
-  app.add_option("--finest", q.finest);
-  CLI11_PARSE(app, argc, argv);
-  q.subdivision = sub == "curved" ? Subdivision::curved : sub == "midpoint" ? Subdivision::midpoint : Subdivision::fitted;
-  o.cell_size = 0.01;
-  const double exact = 4 * M_PI / 3 * 0.15 * 0.15 * 0.15;
-  Triangles s = sphere({kCentre, radius, start});
-  if (volume_radius) {
-    radius *= std::cbrt(exact / volume(s));
-    s = sphere({kCentre, radius, start});
-  }
-  const double v0 = volume(s);
-  const VelocityField u = enright({leveque ? EnrightVariant::leveque : EnrightVariant::eltopo, 3});
-  Tracker tracker(s, o);
-  const int steps = static_cast<int>(std::lround(3 / dt));
-  double triangles = 0, improving = 0, total = seconds();
-  std::size_t most = 0, n0 = s.triangles.size();
-  std::size_t subd = 0, coll = 0, flips = 0, flat = 0;
-  double least_angle = 90;
+void run(const Setting& setting) {
+  const Triangles start = sphere({.centre = kCentre,
+                                  .radius = kRadius,
+                                  .edge_length = setting.start_edge,
+                                  .exact_volume = setting.exact_volume});
+  const double radius = (start.positions[0] - kCentre).norm();
+  const double ball = 4 * std::numbers::pi / 3 * kRadius * kRadius * kRadius;
+  const VelocityField u = enright({setting.variant, kPeriod});
+  Tracker tracker(start, {.cell_size = 0.01, .events = Events::merge, .quality = setting.quality});
+  const int steps = static_cast<int>(std::lround(kPeriod / setting.dt));
+  double triangles = 0, half_volume = 0;
+  MarkerError half;
+  std::size_t most = 0, cells = 0;
+  double seconds = 0, from = cpu_seconds();
   for (int i = 1; i <= steps; ++i) {
-    tracker.advect(u, dt);
-    if (every > 0 && (i % every == 0 || i == steps)) {
-      now_time = i * dt;
-      const double t0 = seconds();
-      const QualityReport r = tracker.improve();
-      improving += seconds() - t0;
-      if (trace) {
-        const Triangles& now = tracker.surface();
-        std::vector<char> old(now.positions.size(), 0);
-        for (auto v : r.vertex_map) if (v != kNone) old[v] = 1;
-        std::vector<double> turn(now.positions.size(), 1), shortest(now.positions.size(), 1e9), longest(now.positions.size(), 0);
-        std::vector<Point> normal(now.positions.size(), Point::Zero());
-        for (auto& f : now.triangles) { Point m = (now.positions[f[1]]-now.positions[f[0]]).cross(now.positions[f[2]]-now.positions[f[0]]); for (auto v : f) normal[v] += m; }
-        for (auto& f : now.triangles) { Point m = (now.positions[f[1]]-now.positions[f[0]]).cross(now.positions[f[2]]-now.positions[f[0]]); for (int k=0;k<3;++k) { auto v=f[k]; turn[v] = std::min(turn[v], m.normalized().dot(normal[v].normalized()));
-          for (int l : {(k+1)%3,(k+2)%3}) { double d=(now.positions[f[l]]-now.positions[v]).norm(); shortest[v]=std::min(shortest[v],d); longest[v]=std::max(longest[v],d);} } }
-        for (std::size_t v = 0; v < old.size(); ++v) if (!old[v]) {
-          double d = std::abs((back(now.positions[v], u, i * dt) - kCentre).norm() - radius);
-          if (d > 2e-5) fmt::print("NEW t {:.2f} err {:.2e} turn {:.0f} edges {:.4f} {:.4f} at {:.3f} {:.3f} {:.3f} material {:.3f} {:.3f} {:.3f} signed {:.1e}\n", i*dt, d, std::acos(std::clamp(turn[v],-1.,1.))*57.3, shortest[v], longest[v], now.positions[v][0], now.positions[v][1], now.positions[v][2], ((back(now.positions[v], u, i * dt) - kCentre)/radius)[0],((back(now.positions[v], u, i * dt) - kCentre)/radius)[1],((back(now.positions[v], u, i * dt) - kCentre)/radius)[2], (back(now.positions[v], u, i * dt) - kCentre).norm() - radius);
-        }
-      }
-      subd += r.subdivisions; coll += r.collapses.done; flips += r.flips; flat += r.flattened;
-      least_angle = std::min(least_angle, r.smallest_angle);
-    }
+    tracker.advect(u, setting.dt);
+    if (setting.remodel_every > 0 && i % setting.remodel_every == 0)
+      cells += tracker.remodel().marked.total();
+    if (setting.improve_every > 0 && i % setting.improve_every == 0) tracker.improve();
     triangles += static_cast<double>(tracker.surface().triangles.size()) / steps;
     most = std::max(most, tracker.surface().triangles.size());
-    if (i == steps / 2 || i == steps || (often > 0 && i % often == 0)) {
-      const double v = volume(tracker.surface());
-      double mean = 0, worst = 0;
-      const double t0 = seconds();
-      marker_error(tracker.surface(), u, i * dt, radius, mean, worst);
-      total += seconds() - t0;
-      fmt::print("  t {:.2f}: n {} vol/start {:+.4f} % vol/exact {:+.4f} % markers mean {:.2e} max {:.2e} angle {:.1f} sub {} coll {} flip {} flat {}",
-                 i * dt, tracker.surface().triangles.size(), 100 * (v / v0 - 1), 100 * (v / exact - 1), mean, worst, least_angle, subd, coll, flips, flat);
-      if (i == steps) fmt::print(" mean distance {:.2e}", mean_distance(tracker.surface(), 0.15));
-      fmt::print("\n");
-      if (!save.empty()) write_triangles(fmt::format("{}_{}.ply", save, i), tracker.surface());
-    }
+    if (2 * i != steps) continue;
+    seconds += cpu_seconds() - from;
+    half_volume = volume(tracker.surface()) / ball - 1;
+    half = marker_error(tracker.surface(), u, i * setting.dt, radius);
+    from = cpu_seconds();
   }
-  total = seconds() - total;
-  fmt::print("{} -> avg {:.0f} max {}; {:.1f} s, improving {:.1f} s\n", n0, triangles, most, total, improving);
+  seconds += cpu_seconds() - from;
+  const MarkerError end = marker_error(tracker.surface(), u, kPeriod, radius);
+  fmt::print("{},{},{},{:.0f},{},{},{:.4f},{:.2e},{:.2e},{:.4f},{:.2e},{:.2e},{:.2e},{:.1f}\n",
+             setting.name, setting.dt, start.triangles.size(), triangles, most,
+             tracker.surface().triangles.size(), 100 * half_volume, half.mean, half.max,
+             100 * (volume(tracker.surface()) / ball - 1), end.mean, end.max,
+             mean_distance(tracker.surface()), seconds);
+  std::fflush(stdout);
+  if (setting.remodel_every > 0)
+    fmt::print(stderr, "{}: {} cells re-sampled\n", setting.name, cells);
+}
+
+/// What the accuracy tables use at about 25,000 triangles; `fine` is × all lengths.
+QualityOptions tuned(double fine = 1) {
+  return {.edge_length = 0.026 * fine,
+          .chord_error = 5e-5 * fine * fine,
+          .finest = 0.305,
+          .shortest = 0.45,
+          .keep_features = false,
+          .subdivision = Subdivision::fitted};
+}
+
+QualityOptions uniform(Subdivision how) {
+  return {.edge_length = 0.0105, .shortest = 0.45, .keep_features = false, .subdivision = how};
+}
+
+}  // namespace
+
+int main() {
+  fmt::print(
+      "setting,dt,triangles_start,triangles_mean,triangles_max,triangles_end,"
+      "half_volume_error_percent,half_marker_error_mean,half_marker_error_max,"
+      "volume_error_percent,marker_error_mean,marker_error_max,mean_distance,cpu_seconds\n");
+  const double fine = 0.5;
+  for (const Setting& setting : std::initializer_list<Setting>{
+           {"markers only", {}, 0.005, 1, 0.01, 0},
+           {"markers only, four times as many", {}, 0.0025, 1, 0.01, 0},
+           {"markers only, sixteen times as many", {}, 0.00125, 1, 0.01, 0},
+           {"midpoints, uniform", uniform(Subdivision::midpoint)},
+           {"curved, uniform", uniform(Subdivision::curved)},
+           {"fitted, uniform", uniform(Subdivision::fitted)},
+           {"fitted, by curvature", tuned()},
+           {"the same, LeVeque's variant", tuned(1.07), 0.0081, 1, 0.01, 5, 0,
+            EnrightVariant::leveque},
+           {"the same, start inscribed", tuned(), 0.0078, 0},
+           {"the same, improved at each step", tuned(), 0.0078, 1, 0.01, 1},
+           {"the same, improved every tenth step", tuned(), 0.0078, 1, 0.01, 10},
+           {"the same, twice the time step", tuned(), 0.0078, 1, 0.02, 3},
+           {"the same, half the time step", tuned(), 0.0078, 1, 0.005, 10},
+           {"the same, merges every fifth step", tuned(), 0.0078, 1, 0.01, 5, 5},
+           {"the same, half the lengths", tuned(fine), 0.0039},
+           {"the same, a third of the lengths", tuned(1 / 3.), 0.0026}})
+    run(setting);
 }
