@@ -74,6 +74,7 @@ void take_elsewhere(FuzzCase& c, Random& random, OperationSizes& sizes) {
     c.options.cell_size *= factor;
     c.options.origin *= factor;
     c.options.quality.edge_length *= factor;
+    c.options.quality.chord_error *= factor;
     sizes.unit = factor;
   } else if (how == 2) {
     const double away = std::ldexp(1.0, static_cast<int>(random.below(36)));
