@@ -149,7 +149,7 @@ int main() {
            {"curved, uniform", uniform(Subdivision::curved)},
            {"fitted, uniform", uniform(Subdivision::fitted)},
            {"fitted, by curvature", tuned()},
-           {"the same, LeVeque's variant", tuned(1.07), 0.0081, 1, 0.01, 5, 0,
+           {"the same, LeVeque's variant", tuned(1.075), 0.0081, 1, 0.01, 5, 0,
             EnrightVariant::leveque},
            {"the same, start inscribed", tuned(), 0.0078, 0},
            {"the same, improved at each step", tuned(), 0.0078, 1, 0.01, 1},
