@@ -115,8 +115,7 @@ TEST_CASE("level sets merge what meets, and what gets thinner than a cell goes")
     const VelocityField together = [&](const Point& p, double) {
       return Point(-std::tanh((p[0] - plane) / 0.5), 0, 0);
     };
-    for (int i = 0; i < 12; ++i)
-      tracker->advect(together, 0.1);  // then 0.1 apart, in cells of 0.15
+    for (int i = 0; i < 15; ++i) tracker->advect(together, 0.1);  // then a third of a cell apart
     CHECK(audit(tracker->surface()).closed_manifold());
     CHECK(components(tracker->surface()).count == 1);
 
