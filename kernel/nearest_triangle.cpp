@@ -78,6 +78,10 @@ struct Item {
   std::uint32_t triangle;
 };
 
+bool on_ray(const Eigen::Array3d& low, const Eigen::Array3d& high, const Point& p) {
+  return p[0] <= high[0] && low[1] <= p[1] && p[1] <= high[1] && low[2] <= p[2] && p[2] <= high[2];
+}
+
 // What the tree is built from: small, since it is moved about at every level.
 struct Key {
   Eigen::Array3d middle;  // of the triangle's box
@@ -138,6 +142,7 @@ struct NearestTriangle::Tree {
     std::uint32_t triangle = kNone;
   };
   Found find(const Point& scaled) const;
+  void along_first_axis(const Point& scaled, std::vector<std::uint32_t>& found) const;
   bool far(const Point& p) const { return !(p.lpNorm<Eigen::Infinity>() * scale < kFar); }
 };
 
@@ -220,6 +225,27 @@ NearestTriangle::Tree::Found NearestTriangle::Tree::find(const Point& p) const {
   return found;
 }
 
+void NearestTriangle::Tree::along_first_axis(const Point& p,
+                                             std::vector<std::uint32_t>& found) const {
+  std::array<std::uint32_t, kDeepest> waiting;
+  std::size_t count = 0;
+  waiting[count++] = 0;
+  while (count > 0) {
+    const std::uint32_t at = waiting[--count];
+    const Node& node = nodes[at];
+    if (!on_ray(node.low, node.high, p)) continue;
+    if (node.right != 0) {
+      waiting[count++] = node.right;
+      waiting[count++] = at + 1;
+      continue;
+    }
+    for (std::uint32_t i = node.begin; i < node.end; ++i) {
+      const Eigen::Array3d a = items[i].a, b = items[i].b, c = items[i].c;
+      if (on_ray(a.min(b).min(c), a.max(b).max(c), p)) found.push_back(items[i].triangle);
+    }
+  }
+}
+
 double distance_to_triangle(const Point& p, const Point& a, const Point& b, const Point& c) {
   return std::sqrt(squared_distance(p, a, b, c));
 }
@@ -237,6 +263,10 @@ double NearestTriangle::distance(const Point& p) const {
 
 std::uint32_t NearestTriangle::triangle(const Point& p) const {
   return tree_->find(tree_->far(p) ? Point::Zero().eval() : Point(p * tree_->scale)).triangle;
+}
+
+void NearestTriangle::along_first_axis(const Point& p, std::vector<std::uint32_t>& found) const {
+  if (!tree_->far(p)) tree_->along_first_axis(p * tree_->scale, found);
 }
 
 }  // namespace suture

@@ -1,7 +1,8 @@
-// Distance from a point to the nearest triangle of a surface, by a tree of boxes.
+// Distance from a point to the nearest triangle of a surface, and rays, by a tree of boxes.
 #pragma once
 
 #include <memory>
+#include <vector>
 
 #include "kernel/triangles.h"
 
@@ -26,6 +27,9 @@ class NearestTriangle {
   double distance(const Point& p) const;
   /// That triangle; of equally near ones always the same. \pre p is finite
   std::uint32_t triangle(const Point& p) const;
+  /// Adds to `found`, in a defined order, the triangles whose boxes the ray from p along the first
+  /// axis meets: all that it can cross, and few others. \pre p is finite
+  void along_first_axis(const Point& p, std::vector<std::uint32_t>& found) const;
 
  private:
   struct Tree;

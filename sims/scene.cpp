@@ -237,7 +237,8 @@ Scene read_scene(const std::filesystem::path& file, const SceneChanges& changes)
 Scene parse_scene(const std::string& text, const std::filesystem::path& file,
                   const SceneSources& sources, const SceneChanges& changes) {
   TomlTable toml = parse_toml(text, file);
-  toml.allow_tables({"bodies", "motion", "tracker", "quality", "time", "meshes", "pictures"});
+  toml.allow_tables(
+      {"bodies", "motion", "tracker", "quality", "method", "time", "meshes", "pictures"});
   apply(changes, toml);
   Scene scene;
   scene.file = file;
@@ -245,6 +246,7 @@ Scene parse_scene(const std::string& text, const std::filesystem::path& file,
   toml.keys.done();
   scene.tracker = read_tracker(table(toml, "tracker").keys);
   scene.tracker.quality = read_quality(table(toml, "quality").keys);
+  scene.method = read_method(table(toml, "method").keys, scene.tracker);
   scene.time = read_time(table(toml, "time").keys);
   read_meshes(table(toml, "meshes").keys, scene.output);
   read_pictures(table(toml, "pictures").keys, scene.output);

@@ -9,6 +9,7 @@
 
 #include "sims/flows/motion.h"
 #include "sims/output/picture.h"
+#include "sims/rivals/method.h"
 #include "sims/scene_sources.h"
 #include "surgery/options.h"
 
@@ -56,6 +57,7 @@ struct Scene {
   std::vector<std::string> notes;  ///< what was done to get there: fallbacks and repairs
   std::vector<Phase> phases;
   TrackerOptions tracker;
+  MethodOptions method;
   TimeOptions time;
   OutputOptions output;
 };

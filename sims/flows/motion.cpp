@@ -16,7 +16,7 @@ class FieldMotion : public Motion {
  public:
   explicit FieldMotion(VelocityField field) : field_(std::move(field)) {}
   void advance(Tracker& tracker, double dt) override { tracker.advect(field_, dt); }
-  bool is_field() const override { return true; }
+  const VelocityField* field() const override { return &field_; }
 
  private:
   VelocityField field_;

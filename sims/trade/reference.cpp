@@ -39,6 +39,7 @@ Triangles carried_alone(Scene& scene, Triangles surface) {
   scene.surface = std::move(surface);
   scene.time.remodel_every = scene.time.improve_every = 0;
   scene.time.step /= 4;
+  scene.method = {};  // vertices, whatever it is a reference for
   Stepper stepper(scene, scene.tracker);
   StepWatcher nobody;
   for (std::int64_t i = 1; i <= scene.time.steps(); ++i) stepper.step(i, nobody);
@@ -49,7 +50,7 @@ Reference from_flow(const fs::path& file, const fs::path& mesh) {
   constexpr std::size_t most = 100000;  // half a minute, in the costliest of our fields
   Scene scene = read_scene(file);
   for (const Phase& phase : scene.phases)
-    if (!phase.motion->is_field())
+    if (phase.motion->field() == nullptr)
       throw InvalidInput(file.string() + ": the motion " + phase.kind +
                          " depends on the surface, so it cannot be a reference by itself; give "
                          "--reference finest or a file");
