@@ -168,6 +168,33 @@ void read_pictures(Keys keys, OutputOptions& output) {
   keys.done();
 }
 
+MethodOptions read_method(Keys keys) {
+  MethodOptions m;
+  if (keys.has("kind")) m.kind = keys.one_of("kind", {"mesh", "mesh_without_topology", "markers"});
+  keys.done();
+  return m;
+}
+
+MeasureOptions read_measure(Keys keys) {
+  MeasureOptions m;
+  m.at = keys.list("at", Range::at_least(0));
+  if (keys.has("reference"))
+    m.reference = keys.one_of("reference", {"exact", "polyhedron", "none"});
+  else
+    keys.text("reference", "");
+  m.domain = keys.number("domain", Range::at_least(0), m.domain);
+  m.tolerance = keys.number("tolerance", Range::above(0), m.tolerance);
+  const Range whole = Range::between(-1e9, 1e9);
+  const auto components = static_cast<int>(keys.integer("components", whole, 0));
+  const auto euler = static_cast<int>(keys.integer("euler", whole, 0));
+  if (keys.has("components")) m.components = components;
+  if (keys.has("euler")) m.euler = euler;
+  m.until_components =
+      static_cast<int>(keys.integer("until_components", Range::between(0, 1e9), 0));
+  keys.done();
+  return m;
+}
+
 /// One motion, or several that take over from each other at the times `until`.
 std::vector<Phase> read_phases(TomlTable& scene, const std::vector<Point>& velocities) {
   std::vector<TomlTable> tables;
@@ -185,6 +212,7 @@ std::vector<Phase> read_phases(TomlTable& scene, const std::vector<Point>& veloc
     phase.until = last && !one.keys.has("until") ? std::numeric_limits<double>::infinity()
                                                  : one.keys.number("until", Range::above(from));
     from = phase.until;
+    phase.parameters = one.keys.values();
     try {
       phase.motion = make_motion(phase.kind, one.keys, velocities);
     } catch (const InvalidInput& error) {
@@ -201,6 +229,11 @@ void apply(const SceneChanges& changes, TomlTable& toml) {
   for (const auto& [name, value] : changes) {
     const std::size_t dot = name.find('.');
     const std::string inner = name.substr(0, dot);
+    if (const auto list = toml.lists.find(inner); list != toml.lists.end()) {
+      for (TomlTable& each : list->second)
+        each.keys.put(name.substr(dot + 1), value, "a change of the scene");
+      continue;
+    }
     const TomlTable empty = table(toml, inner);
     toml.tables.emplace(inner, empty)
         .first->second.keys.put(name.substr(dot + 1), value, "a change of the scene");
@@ -234,7 +267,8 @@ Scene read_scene(const std::filesystem::path& file, const SceneChanges& changes)
 Scene parse_scene(const std::string& text, const std::filesystem::path& file,
                   const SceneSources& sources, const SceneChanges& changes) {
   TomlTable toml = parse_toml(text, file);
-  toml.allow_tables({"bodies", "motion", "tracker", "quality", "time", "meshes", "pictures"});
+  toml.allow_tables({"bodies", "motion", "tracker", "quality", "time", "meshes", "pictures",
+                     "measure", "method"});
   apply(changes, toml);
   Scene scene;
   scene.file = file;
@@ -245,9 +279,12 @@ Scene parse_scene(const std::string& text, const std::filesystem::path& file,
   scene.time = read_time(table(toml, "time").keys);
   read_meshes(table(toml, "meshes").keys, scene.output);
   read_pictures(table(toml, "pictures").keys, scene.output);
+  scene.method = read_method(table(toml, "method").keys);
+  scene.measure = read_measure(table(toml, "measure").keys);
   Bodies bodies = read_bodies(toml, file.parent_path(), sources);
   scene.surface = std::move(bodies.surface);
   scene.notes = std::move(bodies.notes);
+  scene.shapes = std::move(bodies.shapes);
   require_affordable(scene, toml);
   scene.phases = read_phases(toml, bodies.velocities);
   return scene;

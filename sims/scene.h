@@ -4,11 +4,13 @@
 #include <filesystem>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "sims/flows/motion.h"
 #include "sims/output/picture.h"
+#include "sims/placed_shape.h"
 #include "sims/scene_sources.h"
 #include "surgery/options.h"
 
@@ -17,6 +19,7 @@ namespace suture {
 /// A motion and the time at which the next one takes over.
 struct Phase {
   std::string kind;
+  std::map<std::string, Value> parameters;  ///< as given
   double until = 0;
   std::unique_ptr<Motion> motion;
 };
@@ -49,18 +52,36 @@ struct OutputOptions {
   PictureOptions picture;
 };
 
+struct MethodOptions {
+  std::string kind = "mesh";
+};
+
+/// What `suture measure` is to look at, and what is right.
+struct MeasureOptions {
+  std::vector<double> at;                ///< times; empty: the end
+  std::string reference = "exact";       ///< "exact", "polyhedron", "none"
+  double tolerance = 1e-3;               ///< of an exact reference, in cells of the tracker
+  std::optional<int> components, euler;  ///< none: as the first surface has them
+  double domain = 0;                     ///< its side, for the table; 0: none is known
+  int until_components = 0;              ///< the run ends where no more are left; 0: at its end
+};
+
 struct Scene {
   std::filesystem::path file;
   std::string title;
-  Triangles surface;               ///< the union of the bodies, one after another
-  std::vector<std::string> notes;  ///< what was done to get there: fallbacks and repairs
+  Triangles surface;                ///< the union of the bodies, one after another
+  std::vector<PlacedShape> shapes;  ///< the bodies themselves
+  std::vector<std::string> notes;   ///< what was done to get there: fallbacks and repairs
   std::vector<Phase> phases;
   TrackerOptions tracker;
   TimeOptions time;
   OutputOptions output;
+  MethodOptions method;
+  MeasureOptions measure;
 };
 
-/// Values in place of a scene file's own, by table and key: "tracker.cell_size".
+/// Values in place of a scene file's own, by table and key: "tracker.cell_size"; of a list of
+/// tables, as "bodies.scatter_seed", in each of them.
 using SceneChanges = std::map<std::string, Value>;
 
 /// Reads a scene from a TOML file, and its meshes from paths relative to that file. Models are

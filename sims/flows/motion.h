@@ -18,8 +18,8 @@ class Motion {
   /// Moves the surface from tracker.time() to tracker.time() + dt.
   virtual void advance(Tracker& tracker, double dt) = 0;
 
-  /// Whether it is a velocity field, which carries any surface's points the same way.
-  virtual bool is_field() const { return false; }
+  /// The velocity field that it is, which carries any points the same way; null if it is none.
+  virtual const VelocityField* field() const { return nullptr; }
 
   /// Told of each remodel and improvement: the new surface, and where each old vertex went.
   virtual void surface_changed(const Triangles& /*surface*/,

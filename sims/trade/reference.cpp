@@ -49,7 +49,7 @@ Reference from_flow(const fs::path& file, const fs::path& mesh) {
   constexpr std::size_t most = 100000;  // half a minute, in the costliest of our fields
   Scene scene = read_scene(file);
   for (const Phase& phase : scene.phases)
-    if (!phase.motion->is_field())
+    if (phase.motion->field() == nullptr)
       throw InvalidInput(file.string() + ": the motion " + phase.kind +
                          " depends on the surface, so it cannot be a reference by itself; give "
                          "--reference finest or a file");
