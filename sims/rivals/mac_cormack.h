@@ -1,0 +1,22 @@
+// MacCormack's semi-Lagrangian step in a narrow band: forth, back, and half the error [Selle 2008].
+#pragma once
+
+#include "sims/rivals/level_set.h"
+#include "sims/rivals/level_set_grid.h"
+#include "sims/rivals/paths.h"
+
+namespace suture {
+
+struct MacCormackStep {
+  double time = 0, dt = 0;
+  int trace_order = 2;
+  Limiter limiter = Limiter::clamp;
+};
+
+/// The band at time + dt. A node is corrected only where all values that its correction stands on
+/// are within the band: at its border, where φ is cut off, the error is that of the cut.
+/// \throw InvalidInput where u is not finite or a path is longer than 1000 cells
+openvdb::FloatGrid::Ptr mac_cormack(const openvdb::FloatGrid& grid, const GridVelocity& u,
+                                    const MacCormackStep& step);
+
+}  // namespace suture

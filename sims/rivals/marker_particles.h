@@ -1,0 +1,47 @@
+// The markers of the particle level set: seeded round the surface, attracted, carried, re-seeded
+// [Enright et al. 2002].
+#pragma once
+
+#include "kernel/random.h"
+#include "sims/rivals/dense_level_set.h"
+#include "sims/rivals/paths.h"
+
+namespace suture {
+
+/// A ball that touches the surface from its own side, or lies on that side.
+struct Marker {
+  Point position;     ///< cells from the grid's origin
+  double radius = 0;  ///< cells
+  double side = 1;    ///< 1: outside, −1: inside
+};
+
+/// Lengths are in cells.
+struct MarkerRules {
+  int per_cell = 64;
+  double band = 3;
+  double smallest_radius = 0.1, largest_radius = 0.5;
+  double escape = 1;  ///< radii
+  int attraction_steps = 15;
+};
+
+/// Whether it lies on the wrong side by more than rules.escape radii; `phi` is φ at its place
+/// [§3.3].
+inline bool escaped(const Marker& marker, double phi, const MarkerRules& rules) {
+  return -marker.side * phi > rules.escape * marker.radius;
+}
+
+/// Each radius becomes the distance to the surface on the marker's own side, within the bounds; an
+/// escaped one has the smallest [§3.1].
+void adjust_radii(std::vector<Marker>& markers, const DenseLevelSet& set, const MarkerRules& rules);
+
+/// \throw InvalidInput if a marker comes to lie nowhere finite
+void carry(std::vector<Marker>& markers, const GridVelocity& u, double t, double dt, int order);
+
+/// Throws away the markers that have not escaped and whose cell has no corner on their side in the
+/// band, and the farthest of more than per_cell of one side in a cell; adds to the cells with a
+/// corner in the band until they have per_cell of both sides together [§3.1, §3.5]. With no markers
+/// this is the first seeding. The result is in the order of the cells.
+void reseed(std::vector<Marker>& markers, const DenseLevelSet& set, const MarkerRules& rules,
+            Random& random);
+
+}  // namespace suture

@@ -1,0 +1,161 @@
+// The order of a particle level set's step, behind the interface of all trackers.
+#include "sims/rivals/particle_level_set.h"
+
+#include <optional>
+
+#include "kernel/audit.h"
+#include "kernel/errors.h"
+#include "sims/processes.h"
+#include "sims/rivals/fast_marching.h"
+#include "sims/rivals/level_set_surface.h"
+#include "sims/rivals/marker_correction.h"
+#include "sims/rivals/semi_lagrangian.h"
+
+namespace suture {
+namespace {
+
+void require(bool holds, const std::string& what) {
+  if (!holds) throw InvalidInput("particle level set: " + what);
+}
+
+void check(const ParticleLevelSetOptions& o) {
+  require(std::isfinite(o.cell_size) && o.cell_size > 0 && o.origin.allFinite(),
+          "cell_size must be a positive number and origin finite");
+  require(
+      o.trace_order >= 2 && o.trace_order <= 4 && o.particle_order >= 2 && o.particle_order <= 4,
+      "trace_order and particle_order are orders of Runge–Kutta steps; give 2, 3 or 4");
+  require(o.particles_per_cell >= 0 && o.particles_per_cell <= 4096,
+          "particles_per_cell counts particles; give 0 (none) to 4096");
+  require(o.band >= 1 && o.band <= 100, "band is in cells; give 1 to 100");
+  require(
+      o.smallest_radius > 0 && o.smallest_radius <= o.largest_radius && o.largest_radius <= o.band,
+      "radii are in cells: 0 < smallest_radius <= largest_radius <= band");
+  require(o.escape >= 0 && std::isfinite(o.escape), "escape is in radii; give 0 or more");
+  require(o.attraction_steps >= 0 && o.reinitialise_every >= 0 && o.reseed_every >= 0,
+          "attraction_steps, reinitialise_every and reseed_every count steps; give 0 or more");
+}
+
+MarkerRules rules_of(const ParticleLevelSetOptions& o) {
+  return {o.particles_per_cell, o.band,   o.smallest_radius,
+          o.largest_radius,     o.escape, o.attraction_steps};
+}
+
+/// Beyond the particles: the normal at a particle takes a cell, interpolation one more.
+constexpr double kBeyondBand = 2;
+
+class ParticleLevelSet : public SurfaceTracker {
+ public:
+  ParticleLevelSet(const Triangles& surface, const ParticleLevelSetOptions& options)
+      : options_(options),
+        rules_(rules_of(options)),
+        frame_{options.cell_size, options.origin},
+        random_(options.seed),
+        set_(dense_level_set(surface, frame_, options.band + kBeyondBand)) {
+    if (rules_.per_cell > 0) reseed(markers_, set_, rules_, random_);
+  }
+
+  void advect(const VelocityField& u, double dt) override {
+    const GridVelocity velocity{u, frame_.origin, frame_.cell_size};
+    std::vector<Marker> markers = markers_;
+    timed(particles_seconds_,
+          [&] { carry(markers, velocity, time_, dt, options_.particle_order); });
+    timed(level_set_seconds_, [&] {
+      set_ = semi_lagrangian(set_, velocity, {time_, dt, options_.trace_order, around(markers)});
+    });
+    markers_ = std::move(markers);
+    surface_.reset();
+    time_ += dt;
+    ++steps_;
+    correct_by_markers();
+    distances_ = false;
+    if (options_.reinitialise_every > 0 && steps_ % options_.reinitialise_every == 0)
+      reinitialise();
+    timed(particles_seconds_, [&] { adjust_radii(markers_, set_, rules_); });
+    if (options_.reseed_every > 0 && steps_ % options_.reseed_every == 0 && rules_.per_cell > 0)
+      timed(reseed_seconds_, [&] { reseed(markers_, set_, rules_, random_); });
+  }
+
+  /// Re-initialises; re-seeding does not change the surface and stays in its rhythm.
+  void settle() override {
+    if (distances_ || options_.reinitialise_every == 0) return;
+    surface_.reset();
+    reinitialise();
+    timed(particles_seconds_, [&] { adjust_radii(markers_, set_, rules_); });
+  }
+
+  const Triangles& surface() override {
+    if (!surface_) timed(contour_seconds_, [&] { surface_ = zero_surface(set_, frame_); });
+    return *surface_;
+  }
+
+  double distance(const Point& p) override {
+    return frame_.cell_size * set_.sample(frame_.cells(p));
+  }
+
+  double time() const override { return time_; }
+
+  TrackerCost cost() const override {
+    return {{{"level_set", level_set_seconds_},
+             {"particles", particles_seconds_},
+             {"correct", correct_seconds_},
+             {"reinitialise", reinitialise_seconds_},
+             {"reseed", reseed_seconds_},
+             {"contour", contour_seconds_}},
+            {{"particles", static_cast<double>(markers_.size())},
+             {"escaped", escaped_},
+             {"nodes", static_cast<double>(set_.phi.size())}}};
+  }
+
+ private:
+  template <class Work>
+  void timed(double& seconds, const Work& work) {
+    const double start = process_seconds();
+    work();
+    seconds += process_seconds() - start;
+  }
+
+  static Box around(const std::vector<Marker>& markers) {
+    Box box{Point::Constant(1), Point::Constant(0)};
+    if (!markers.empty()) box = {markers[0].position, markers[0].position};
+    for (const Marker& m : markers) {
+      box.low = box.low.cwiseMin(m.position);
+      box.high = box.high.cwiseMax(m.position);
+    }
+    return box;
+  }
+
+  void correct_by_markers() {
+    timed(correct_seconds_,
+          [&] { escaped_ = static_cast<double>(correct(set_, markers_, rules_)); });
+  }
+  void reinitialise() {
+    timed(reinitialise_seconds_, [&] { march_distances(set_); });
+    correct_by_markers();
+    distances_ = true;
+  }
+
+  ParticleLevelSetOptions options_;
+  MarkerRules rules_;
+  GridFrame frame_;
+  Random random_;
+  DenseLevelSet set_;
+  std::vector<Marker> markers_;
+  std::optional<Triangles> surface_;
+  double time_ = 0;
+  std::int64_t steps_ = 0;
+  bool distances_ = true;  ///< φ was re-initialised since the last step
+  double escaped_ = 0;     ///< markers, at the last correction
+  double level_set_seconds_ = 0, particles_seconds_ = 0, correct_seconds_ = 0;
+  double reinitialise_seconds_ = 0, reseed_seconds_ = 0, contour_seconds_ = 0;
+};
+
+}  // namespace
+
+std::unique_ptr<SurfaceTracker> make_particle_level_set(const Triangles& surface,
+                                                        const ParticleLevelSetOptions& options) {
+  check(options);
+  require_closed_manifold(surface, "the surface of a particle level set");
+  return std::make_unique<ParticleLevelSet>(surface, options);
+}
+
+}  // namespace suture

@@ -1,0 +1,169 @@
+// Semi-Lagrangian contouring: each step a new mesh, where the old mesh's distance is zero upstream.
+#include "sims/rivals/semi_lagrangian_contouring.h"
+
+#include <cmath>
+#include <optional>
+#include <string>
+
+#include "kernel/errors.h"
+#include "kernel/signed_distance.h"
+#include "sims/processes.h"
+#include "sims/rivals/level_set_grid.h"
+#include "sims/rivals/paths.h"
+
+namespace suture {
+namespace {
+
+/// The new surface's implicit function in one step, in cells.
+class Upstream {
+ public:
+  Upstream(const SignedDistance& old, const VelocityField& u, double time, double dt,
+           const ContouringOptions& o)
+      : old_(old), u_{u, Point::Zero(), 1}, time_(time), dt_(dt), options_(o) {}
+
+  double operator()(const Point& p) const {
+    const Point source = path_end(u_, p, time_ + dt_, -dt_, options_.trace_order);
+    require_finite(source);
+    return old_.at(source) / options_.cell_size;
+  }
+  Point downstream(const Point& p) const {
+    const Point end = path_end(u_, p, time_, dt_, options_.trace_order);
+    require_finite(end);
+    return end;
+  }
+
+ private:
+  static void require_finite(const Point& p) {
+    if (!p.allFinite())
+      throw InvalidInput(
+          "a path within one step leads out of the finite numbers; check the velocity field");
+  }
+
+  const SignedDistance& old_;
+  GridVelocity u_;
+  double time_, dt_;
+  const ContouringOptions& options_;
+};
+
+/// A bracketed zero of f between 0 and 1, f(0) and f(1) given: regula falsi, where an end that
+/// stays twice counts half [Dowell and Jarratt 1971].
+double bracketed_zero(const auto& f, double f0, double f1, int evaluations) {
+  constexpr double kNear = 1e-9;  // of a cell
+  double low = 0, high = 1, t = f0 / (f0 - f1);
+  int stayed = 0;
+  for (int k = 0; k < evaluations; ++k) {
+    const double value = f(t);
+    if (std::abs(value) < kNear) break;
+    if ((value < 0) == (f0 < 0)) {
+      low = t;
+      f0 = value;
+      if (stayed == 1) f1 /= 2;
+      stayed = 1;
+    } else {
+      high = t;
+      f1 = value;
+      if (stayed == -1) f0 /= 2;
+      stayed = -1;
+    }
+    t = low + (high - low) * (f0 / (f0 - f1));
+  }
+  return t;
+}
+
+class Contouring : public SurfaceTracker {
+ public:
+  Contouring(const Triangles& surface, const ContouringOptions& o)
+      : options_(o), band_{o.cell_size, o.origin, kMargin}, surface_(surface) {
+    require_valid(band_);
+    if (o.trace_order < 2 || o.trace_order > 4)
+      throw InvalidInput("semi-Lagrangian contouring's trace_order is " +
+                         std::to_string(o.trace_order) + "; it must be 2 to 4");
+    if (o.refinements < 0 || o.refinements > 100)
+      throw InvalidInput("semi-Lagrangian contouring's refinements are " +
+                         std::to_string(o.refinements) + "; they must be 0 to 100");
+  }
+
+  void advect(const VelocityField& u, double dt) override {
+    if (!surface_.triangles.empty()) step(u, dt);
+    time_ += dt;
+  }
+
+  void settle() override {}
+  const Triangles& surface() override { return surface_; }
+
+  double distance(const Point& p) override {
+    if (!distance_) distance_.emplace(surface_);
+    return distance_->at(p);
+  }
+
+  double time() const override { return time_; }
+
+  TrackerCost cost() const override {
+    return {{{"distances", distances_}, {"contour", contouring_}},
+            {{"nodes", nodes_}, {"refinements", refined_}, {"bands_widened", widened_}}};
+  }
+
+ private:
+  static constexpr double kMargin = 2;   ///< cells to the surface as its vertices are carried
+  static constexpr double kWidest = 64;  ///< cells
+
+  void step(const VelocityField& u, double dt) {
+    const double start = process_seconds();
+    if (!distance_) distance_.emplace(surface_);
+    const Upstream upstream(*distance_, u, time_, dt, options_);
+    Triangles carried = surface_;
+    for (Point& p : carried.positions) p = upstream.downstream(p);
+    const openvdb::DoubleGrid::Ptr grid = band_round(carried, upstream);
+    nodes_ += static_cast<double>(grid->activeVoxelCount());
+    const double halfway = process_seconds();
+    distances_ += halfway - start;
+    surface_ = contour(*grid, [&](const CubeCorner& from, const CubeCorner& to) {
+      return vertex(upstream, from, to);
+    });
+    distance_.reset();
+    contouring_ += process_seconds() - halfway;
+  }
+
+  /// The vertices say where the new surface is but for what happens between them: if that is more
+  /// than the band, the band grows.
+  openvdb::DoubleGrid::Ptr band_round(const Triangles& carried, const Upstream& upstream) {
+    BandOptions band = band_;
+    for (; band.half_width <= kWidest; band.half_width *= 2) {
+      openvdb::DoubleGrid::Ptr grid = make_band(carried, band, upstream);
+      if (holds_zero_set(*grid)) return grid;
+      ++widened_;
+    }
+    throw InvalidInput("in one step the velocity carries the surface's triangles more than " +
+                       std::to_string(static_cast<int>(kWidest)) +
+                       " cells from where it carries their vertices; take shorter steps");
+  }
+
+  Point vertex(const Upstream& upstream, const CubeCorner& from, const CubeCorner& to) {
+    constexpr double kOffEnds = 1e-6;  // of an edge: vertices of different edges stay apart
+    const Point p = band_.place(openvdb::Coord(from.node[0], from.node[1], from.node[2]));
+    const Point q = band_.place(openvdb::Coord(to.node[0], to.node[1], to.node[2]));
+    const auto along = [&](double t) {
+      ++refined_;
+      return upstream(p + t * (q - p));
+    };
+    const double zero = bracketed_zero(along, from.value, to.value, options_.refinements);
+    return p + std::clamp(zero, kOffEnds, 1 - kOffEnds) * (q - p);
+  }
+
+  ContouringOptions options_;
+  BandOptions band_;
+  Triangles surface_;
+  std::optional<SignedDistance> distance_;  ///< of the surface as it is, once it was asked for
+  double time_ = 0;
+  double distances_ = 0, contouring_ = 0;
+  double nodes_ = 0, refined_ = 0, widened_ = 0;
+};
+
+}  // namespace
+
+std::unique_ptr<SurfaceTracker> make_semi_lagrangian_contouring(const Triangles& surface,
+                                                                const ContouringOptions& options) {
+  return std::make_unique<Contouring>(surface, options);
+}
+
+}  // namespace suture

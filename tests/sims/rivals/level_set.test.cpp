@@ -1,0 +1,107 @@
+#include "sims/rivals/level_set.h"
+
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <map>
+#include <numbers>
+
+#include "kernel/audit.h"
+#include "kernel/errors.h"
+#include "kernel/measures.h"
+#include "kernel/shapes.h"
+#include "sims/flows/fields.h"
+#include "tests/sims/balls.h"
+
+using namespace suture;
+
+namespace {
+
+LevelSetOptions options(double cell, Advection advection) {
+  LevelSetOptions o;
+  o.cell_size = cell;
+  o.origin = {0.013, 0.027, -0.031};
+  o.advection = advection;
+  return o;
+}
+
+VelocityField uniform(const Point& v) {
+  return [v](const Point&, double) { return v; };
+}
+
+Triangles moved(Triangles s, const Point& by) {
+  for (Point& p : s.positions) p += by;
+  return s;
+}
+
+// The mean distance of the surface's vertices from the unit sphere round `centre`.
+double mean_error(SurfaceTracker& tracker, const Point& centre) {
+  double sum = 0;
+  for (const Point& p : tracker.surface().positions) sum += std::abs((p - centre).norm() - 1);
+  return sum / static_cast<double>(tracker.surface().positions.size());
+}
+
+// Greatest | |∇φ| − 1 | of the distance within `width` of the surface, on a grid of points; where a
+// body's distance has no gradient, near its centre, is left out.
+double worst_gradient(SurfaceTracker& tracker, const Point& centre, double h, double width) {
+  double worst = 0;
+  for (int i = -12; i <= 12; ++i)
+    for (int j = -12; j <= 12; ++j)
+      for (int k = -12; k <= 12; ++k) {
+        const Point p = centre + 0.11 * Point(i, j, k);
+        if (std::abs(tracker.distance(p)) > width) continue;
+        Point g;
+        for (int a = 0; a < 3; ++a) {
+          const Point step = h * Point::Unit(a);
+          g[a] = (tracker.distance(p + step) - tracker.distance(p - step)) / (2 * h);
+        }
+        worst = std::max(worst, std::abs(g.norm() - 1));
+      }
+  return worst;
+}
+
+}  // namespace
+
+TEST_CASE("a level set starts with distances, and is one again after re-normalisation") {
+  for (const Advection advection : {Advection::upwind, Advection::mac_cormack}) {
+    LevelSetOptions o = options(0.1, advection);
+    o.renormalise = {.every = 1000, .steps = 20};
+    const auto tracker = make_level_set_tracker(subdivided_ball(4, 1), o);
+    // Facets and trilinear sampling leave 0.024.
+    CHECK(worst_gradient(*tracker, {0, 0, 0}, 0.1, 0.15) < 0.03);
+    // Twice as far from the centre, u pushes the values that belong there apart.
+    const VelocityField u = [](const Point& p, double) -> Point {
+      return (p.norm() - 1) * p.normalized();
+    };
+    for (int i = 0; i < 10; ++i) tracker->advect(u, 0.05);
+    CHECK(worst_gradient(*tracker, {0, 0, 0}, 0.1, 0.15) > 0.3);
+    tracker->settle();
+    CHECK(worst_gradient(*tracker, {0, 0, 0}, 0.1, 0.15) < 0.06);
+    CHECK(mean_error(*tracker, {0, 0, 0}) < 0.01);
+  }
+}
+
+TEST_CASE("a level set keeps the volume of a ball that moves by parts of a cell") {
+  const Triangles ball = subdivided_ball(4, 1);
+  for (const Advection advection : {Advection::upwind, Advection::mac_cormack}) {
+    const auto tracker = make_level_set_tracker(ball, options(0.12, advection));
+    const double before = volume(tracker->surface());
+    for (int i = 0; i < 8; ++i) tracker->advect(uniform({0.6, 0.3, -0.2}), 0.05);
+    CHECK(tracker->time() == Approx(0.4));
+    CHECK(audit(tracker->surface()).closed_manifold());
+    // Measured: upwind −0.05 %, MacCormack −0.1 %.
+    CHECK(volume(tracker->surface()) == Approx(before).epsilon(3e-3));
+    CHECK(mean_error(*tracker, {0.24, 0.12, -0.08}) < 0.01);
+  }
+}
+
+TEST_CASE("a level set that is turned round once is where it was") {
+  const Triangles ball = moved(subdivided_ball(4, 1), {1.5, 0, 0});
+  const double pi = std::numbers::pi;
+  for (const Advection advection : {Advection::upwind, Advection::mac_cormack}) {
+    const auto tracker = make_level_set_tracker(ball, options(0.15, advection));
+    const double before = volume(tracker->surface());
+    for (int i = 0; i < 50; ++i) tracker->advect(rotation({.rate = 2 * pi}), 0.02);
+    CHECK(mean_error(*tracker, {1.5, 0, 0}) < 0.02);
+    CHECK(volume(tracker->surface()) == Approx(before).epsilon(0.02));
+  }
+}
