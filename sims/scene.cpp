@@ -264,6 +264,12 @@ Scene read_scene(const std::filesystem::path& file, const SceneChanges& changes)
   return parse_scene(read_file(file), file, {}, changes);
 }
 
+PictureOptions read_picture_options(const std::filesystem::path& file) {
+  OutputOptions output;
+  read_pictures(table(parse_toml(read_file(file), file), "pictures").keys, output);
+  return output.picture;
+}
+
 Scene parse_scene(const std::string& text, const std::filesystem::path& file,
                   const SceneSources& sources, const SceneChanges& changes) {
   TomlTable toml = parse_toml(text, file);

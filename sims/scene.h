@@ -91,6 +91,10 @@ using SceneChanges = std::map<std::string, Value>;
 /// type, out of range, or missing; and for a body that is not a closed oriented manifold
 Scene read_scene(const std::filesystem::path& file, const SceneChanges& changes = {});
 
+/// The [pictures] table of a scene file; its bodies and the rest are not looked at.
+/// \throw InvalidInput as read_scene
+PictureOptions read_picture_options(const std::filesystem::path& file);
+
 /// The tables [tracker] and [quality], which may hold nothing else. \throw InvalidInput likewise
 TrackerOptions read_tracker(Keys keys);
 QualityOptions read_quality(Keys keys);

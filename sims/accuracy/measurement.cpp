@@ -78,8 +78,9 @@ Record cost_cells(const Snapshot& s) {
 }
 
 Record shape_cells(const Triangles& surface, const Scene& scene) {
-  const auto expected = [](const std::optional<int>& given, std::int64_t own) {
-    return std::to_string(given ? *given : own);
+  const bool as_at_first = scene.measure.reference != "none";
+  const auto expected = [&](const std::optional<int>& given, std::int64_t own) {
+    return given ? std::to_string(*given) : as_at_first ? std::to_string(own) : "";
   };
   const SurfaceMeasures m = measure_surface(surface);
   const double v = volume(surface);
