@@ -10,6 +10,7 @@
 #include "kernel/measures.h"
 #include "kernel/mesh_io.h"
 #include "sims/flows/vertex_values.h"
+#include "sims/method_stepper.h"
 #include "sims/output/colours.h"
 #include "sims/output/render.h"
 #include "sims/output/report_json.h"
@@ -29,30 +30,35 @@ class Run : public StepWatcher {
   Run(Scene& scene, const fs::path& folder)
       : scene_(scene),
         folder_(folder),
-        stepper_(scene, with_reproducers(scene.tracker, folder)),
+        stepper_(make_steps(scene, with_reproducers(scene.tracker, folder))),
         freshness_(scene.surface.positions.size(), 0.0) {
     fading_ = scene.output.patch_fading > 0 ? scene.output.patch_fading : scene.time.end / 10;
     if (!scene.output.picture.fit && scene.output.fit == Fit::first)
       scene.output.picture.fit = bounding_box(scene.surface.positions);
     make_folder();
-    report_ = {
-        {"program", "suture"},    {"version", kVersion},       {"scene", scene.file.string()},
-        {"title", scene.title},   {"notes", scene.notes},      {"tracker", to_json(scene.tracker)},
-        {"steps", json::array()}, {"remodels", json::array()}, {"improvements", json::array()}};
+    report_ = {{"program", "suture"},
+               {"version", kVersion},
+               {"scene", scene.file.string()},
+               {"title", scene.title},
+               {"notes", scene.notes},
+               {"tracker", to_json(scene.tracker)},
+               {"method", method_name(scene.method.kind)},
+               {"steps", json::array()},
+               {"remodels", json::array()},
+               {"improvements", json::array()}};
   }
 
   RunSummary all(RunWatcher* watcher) {
     const std::int64_t steps = scene_.time.steps();
     try {
       record(0);
-      for (std::int64_t i = 1; i <= steps && !stepper_.vanished(); ++i) {
+      for (std::int64_t i = 1; i <= steps && !stepper_->vanished(); ++i) {
         current_ = i;
-        stepper_.step(i, *this);
+        stepper_->step(i, *this);
         summary_.steps = i;
         const std::size_t parts = record(i);
         if (watcher != nullptr)
-          watcher->stepped(
-              {i, steps, stepper_.tracker().time(), surface().triangles.size(), parts});
+          watcher->stepped({i, steps, stepper_->time(), surface().triangles.size(), parts});
       }
     } catch (const InvalidInput& error) {
       stop(error.what());
@@ -119,21 +125,22 @@ class Run : public StepWatcher {
   /// Adds what a call of the tracker did to the report's list of this name.
   void note(const char* list, json record) {
     record["step"] = current_;
-    record["time"] = stepper_.tracker().time();
+    record["time"] = stepper_->time();
     report_[list].push_back(std::move(record));
   }
 
-  const Triangles& surface() const { return stepper_.tracker().surface(); }
+  bool is_mesh() const { return scene_.method.kind == MethodKind::mesh; }
+  const Triangles& surface() const { return stepper_->surface(); }
 
   /// Writes what this step is to leave. \return the number of components
   std::size_t record(std::int64_t index) {
     json now = measured(surface());
     now["step"] = index;
-    now["time"] = stepper_.tracker().time();
+    now["time"] = stepper_->time();
     now["seconds"] = watch_.lap();
     const auto parts = now["components"].get<std::size_t>();
     const OutputOptions& output = scene_.output;
-    const bool mesh = output.meshes.wants(index, scene_.time) && !stepper_.vanished();
+    const bool mesh = output.meshes.wants(index, scene_.time) && !stepper_->vanished();
     const bool picture = output.pictures.wants(index, scene_.time);
     if (mesh) {
       const std::string name = fmt::format("{:05}.{}", index, output.mesh_format);
@@ -156,15 +163,15 @@ class Run : public StepWatcher {
   TriangleColours colours() const {
     if (scene_.output.colour == Colour::plain) return {};
     if (scene_.output.colour == Colour::components) return component_colours(surface());
-    return patch_colours(surface(), freshness_);
+    return !is_mesh() ? TriangleColours{} : patch_colours(surface(), freshness_);
   }
 
   /// Brings the report up to date; `failure` says why the run ends here, or nothing.
   void stop(const std::string& failure) {
     const RunSummary& s = summary_;
     report_["summary"] = {
-        {"finished", (s.steps == scene_.time.steps() || stepper_.vanished()) && failure.empty()},
-        {"vanished", stepper_.vanished()},
+        {"finished", (s.steps == scene_.time.steps() || stepper_->vanished()) && failure.empty()},
+        {"vanished", stepper_->vanished()},
         {"steps", s.steps},
         {"steps_asked", scene_.time.steps()},
         {"remodels", s.remodels},
@@ -173,12 +180,13 @@ class Run : public StepWatcher {
         {"merges", s.merges},
         {"splits", s.splits},
         {"failure", failure}};
+    if (!is_mesh()) report_["cost"] = to_json(stepper_->cost());
     write_file(folder_ / "report.json", report_.dump(1) + "\n");
   }
 
   Scene& scene_;
   fs::path folder_;
-  Stepper stepper_;
+  std::unique_ptr<Steps> stepper_;
   std::vector<double> freshness_;  ///< of each vertex: 1 as surgery made it, fading to 0
   double fading_ = 0;
   std::int64_t current_ = 0;  ///< the step at work

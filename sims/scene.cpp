@@ -168,13 +168,6 @@ void read_pictures(Keys keys, OutputOptions& output) {
   keys.done();
 }
 
-MethodOptions read_method(Keys keys) {
-  MethodOptions m;
-  if (keys.has("kind")) m.kind = keys.one_of("kind", {"mesh", "mesh_without_topology", "markers"});
-  keys.done();
-  return m;
-}
-
 MeasureOptions read_measure(Keys keys) {
   MeasureOptions m;
   m.at = keys.list("at", Range::at_least(0));
@@ -273,8 +266,8 @@ PictureOptions read_picture_options(const std::filesystem::path& file) {
 Scene parse_scene(const std::string& text, const std::filesystem::path& file,
                   const SceneSources& sources, const SceneChanges& changes) {
   TomlTable toml = parse_toml(text, file);
-  toml.allow_tables({"bodies", "motion", "tracker", "quality", "time", "meshes", "pictures",
-                     "measure", "method"});
+  toml.allow_tables({"bodies", "motion", "tracker", "quality", "method", "time", "meshes",
+                     "pictures", "measure"});
   apply(changes, toml);
   Scene scene;
   scene.file = file;
@@ -282,10 +275,10 @@ Scene parse_scene(const std::string& text, const std::filesystem::path& file,
   toml.keys.done();
   scene.tracker = read_tracker(table(toml, "tracker").keys);
   scene.tracker.quality = read_quality(table(toml, "quality").keys);
+  scene.method = read_method(table(toml, "method").keys, scene.tracker);
   scene.time = read_time(table(toml, "time").keys);
   read_meshes(table(toml, "meshes").keys, scene.output);
   read_pictures(table(toml, "pictures").keys, scene.output);
-  scene.method = read_method(table(toml, "method").keys);
   scene.measure = read_measure(table(toml, "measure").keys);
   Bodies bodies = read_bodies(toml, file.parent_path(), sources);
   scene.surface = std::move(bodies.surface);

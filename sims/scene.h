@@ -11,6 +11,7 @@
 #include "sims/flows/motion.h"
 #include "sims/output/picture.h"
 #include "sims/placed_shape.h"
+#include "sims/rivals/method.h"
 #include "sims/scene_sources.h"
 #include "surgery/options.h"
 
@@ -52,10 +53,6 @@ struct OutputOptions {
   PictureOptions picture;
 };
 
-struct MethodOptions {
-  std::string kind = "mesh";
-};
-
 /// What `suture measure` is to look at, and what is right.
 struct MeasureOptions {
   std::vector<double> at;                ///< times; empty: the end
@@ -74,9 +71,9 @@ struct Scene {
   std::vector<std::string> notes;   ///< what was done to get there: fallbacks and repairs
   std::vector<Phase> phases;
   TrackerOptions tracker;
+  MethodOptions method;
   TimeOptions time;
   OutputOptions output;
-  MethodOptions method;
   MeasureOptions measure;
 };
 

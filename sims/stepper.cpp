@@ -3,13 +3,33 @@
 
 #include <algorithm>
 
+#include "kernel/errors.h"
+
 namespace suture {
+
+double step_end(const TimeOptions& time, std::int64_t index) {
+  return std::min(static_cast<double>(index) * time.step, time.end);
+}
+
+Motion& phase_at(Scene& scene, double time) {
+  const double middle = time + 0.5 * scene.time.step;
+  for (Phase& phase : scene.phases)
+    if (middle < phase.until) return *phase.motion;
+  return *scene.phases.back().motion;
+}
+
+Stepper::Stepper(Scene& scene, const TrackerOptions& options)
+    : scene_(scene), tracker_(scene.surface, options) {
+  if (scene.method.kind != MethodKind::mesh)
+    throw InvalidInput(scene.file.string() + ": the method \"" + method_name(scene.method.kind) +
+                       "\" is no mesh as the tracker looks after it, which this needs; take the "
+                       "table [method] out, or run the scene by `suture run`");
+}
 
 void Stepper::step(std::int64_t index, StepWatcher& watcher) {
   const TimeOptions& time = scene_.time;
-  const double until = std::min(static_cast<double>(index) * time.step, time.end);
-  const double dt = until - tracker_.time();
-  phase().advance(tracker_, dt);
+  const double dt = step_end(time, index) - tracker_.time();
+  phase_at(scene_, tracker_.time()).advance(tracker_, dt);
   watcher.moved(dt);
   const bool last = index == time.steps();
   if (time.remodel_every > 0 && (index % time.remodel_every == 0 || last)) {
@@ -22,13 +42,6 @@ void Stepper::step(std::int64_t index, StepWatcher& watcher) {
     watcher.improved(r);
     surface_changed(r.vertex_map);
   }
-}
-
-Motion& Stepper::phase() {
-  const double middle = tracker_.time() + 0.5 * scene_.time.step;
-  for (Phase& phase : scene_.phases)
-    if (middle < phase.until) return *phase.motion;
-  return *scene_.phases.back().motion;
 }
 
 void Stepper::surface_changed(const std::vector<std::uint32_t>& vertex_map) {

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 
+#include "sims/rivals/surface_tracker.h"
 #include "sims/scene.h"
 
 namespace suture {
@@ -16,22 +17,40 @@ class StepWatcher {
   virtual void improved(const QualityReport& /*report*/) {}
 };
 
-/// Takes a scene's surface through its steps. Keeps a reference to the scene, whose motions move.
-class Stepper {
+/// When step `index`, counted from 1, ends.
+double step_end(const TimeOptions& time, std::int64_t index);
+
+/// The motion of the step that begins at `time`.
+Motion& phase_at(Scene& scene, double time);
+
+/// A scene's surface on its way, whatever keeps it.
+class Steps {
  public:
-  /// \throw InvalidInput as Tracker
-  Stepper(Scene& scene, const TrackerOptions& options)
-      : scene_(scene), tracker_(scene.surface, options) {}
+  virtual ~Steps() = default;
+
+  /// Step `index`, counted from 1. \throw InvalidInput as the method's own advect
+  virtual void step(std::int64_t index, StepWatcher& watcher) = 0;
+  virtual const Triangles& surface() const = 0;
+  virtual double time() const = 0;
+  virtual TrackerCost cost() const { return {}; }  ///< where the method counts it
+  /// Whether nothing is left to move: every part got thinner than a cell and went.
+  bool vanished() const { return surface().triangles.empty(); }
+};
+
+/// Takes a scene's mesh through its steps. Keeps a reference to the scene, whose motions move.
+class Stepper : public Steps {
+ public:
+  /// \throw InvalidInput as Tracker, and for a scene whose method is not "mesh"
+  Stepper(Scene& scene, const TrackerOptions& options);
 
   const Tracker& tracker() const { return tracker_; }
-  /// Whether nothing is left to move: every part got thinner than a cell and was split away.
-  bool vanished() const { return tracker_.surface().triangles.empty(); }
+  const Triangles& surface() const override { return tracker_.surface(); }
+  double time() const override { return tracker_.time(); }
 
-  /// Step `index`, counted from 1. \throw as Tracker::advect, displace, improve
-  void step(std::int64_t index, StepWatcher& watcher);
+  /// \throw as Tracker::advect, displace, improve
+  void step(std::int64_t index, StepWatcher& watcher) override;
 
  private:
-  Motion& phase();
   void surface_changed(const std::vector<std::uint32_t>& vertex_map);
 
   Scene& scene_;

@@ -35,7 +35,7 @@ Record setting_cells(const Scene& scene, const SceneChanges& changes, const std:
   const double edge = t.quality.edge_length > 0 ? t.quality.edge_length : t.cell_size;
   const double domain = scene.measure.domain;
   return {{"scene", scene.file.stem().string()},
-          {"method", scene.method.kind},
+          {"method", method_name(scene.method.kind)},
           {"resolution", domain > 0 ? cell_of(domain / t.cell_size) : ""},
           {"cell_size", cell_of(t.cell_size)},
           {"edge_length", cell_of(edge)},

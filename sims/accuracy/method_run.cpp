@@ -7,43 +7,31 @@
 
 #include "kernel/errors.h"
 #include "kernel/measures.h"
+#include "sims/method_stepper.h"
 #include "sims/processes.h"
-#include "sims/rivals/method.h"
-#include "sims/stepper.h"
 #include "sims/trade/row.h"
 
 namespace suture {
 namespace {
 
-/// A scene's steps, whatever moves its surface.
-class Steps {
- public:
-  virtual ~Steps() = default;
-  virtual void step(std::int64_t index) = 0;
-  virtual void settle() = 0;
-  virtual const Triangles& surface() = 0;
-  virtual double time() const = 0;
-  virtual TrackerCost cost() const = 0;
-};
+/// Whether the surface is a mesh at all times, and asking for it costs nothing.
+bool has_a_mesh(const Scene& scene) {
+  return scene.method.is_mesh() || scene.method.kind == MethodKind::semi_lagrangian_contouring;
+}
 
-/// The mesh tracker under a motion that its own surface decides.
-class MeshSteps : public Steps, StepWatcher {
+/// CPU seconds of each part of the steps and counts of what was done, as the Stepper tells of them.
+class Watch : public StepWatcher {
  public:
-  explicit MeshSteps(Scene& scene) : stepper_(scene, scene.tracker) {}
-  void step(std::int64_t index) override {
-    if (stepper_.vanished()) return;
-    last_ = process_seconds();
-    stepper_.step(index, *this);
-  }
-  void settle() override {}
-  const Triangles& surface() override { return stepper_.tracker().surface(); }
-  double time() const override { return stepper_.tracker().time(); }
-  TrackerCost cost() const override {
+  void begin() { last_ = process_seconds(); }
+  TrackerCost cost() const {
     return {{{"move", move_}, {"remodel", remodel_}, {"improve", improve_}},
             {{"remodels", remodels_},
              {"surgeries_committed", committed_},
              {"surgeries_refused", refused_},
-             {"cells_resampled", cells_}}};
+             {"cells_resampled", cells_},
+             {"subdivisions", subdivisions_},
+             {"collapses", collapses_},
+             {"flips", flips_}}};
   }
 
  private:
@@ -53,7 +41,6 @@ class MeshSteps : public Steps, StepWatcher {
     last_ = now;
   }
   void moved(double /*dt*/) override { lap(move_); }
-  void improved(const QualityReport& /*report*/) override { lap(improve_); }
   void remodelled(const SurgeryReport& r) override {
     lap(remodel_);
     ++remodels_;
@@ -61,53 +48,17 @@ class MeshSteps : public Steps, StepWatcher {
     refused_ += r.outcome == Outcome::refused;
     if (r.outcome == Outcome::committed) cells_ += static_cast<double>(r.marked.total());
   }
+  void improved(const QualityReport& r) override {
+    lap(improve_);
+    subdivisions_ += static_cast<double>(r.subdivisions);
+    collapses_ += static_cast<double>(r.collapses.done);
+    flips_ += static_cast<double>(r.flips);
+  }
 
-  Stepper stepper_;
   double last_ = 0, move_ = 0, remodel_ = 0, improve_ = 0;
   double remodels_ = 0, committed_ = 0, refused_ = 0, cells_ = 0;
+  double subdivisions_ = 0, collapses_ = 0, flips_ = 0;
 };
-
-/// Any method under velocity fields.
-class FieldSteps : public Steps {
- public:
-  explicit FieldSteps(Scene& scene) : scene_(scene), tracker_(make_surface_tracker(scene)) {}
-  void step(std::int64_t index) override {
-    const TimeOptions& time = scene_.time;
-    const double until = std::min(static_cast<double>(index) * time.step, time.end);
-    tracker_->advect(*phase().motion->field(), until - tracker_->time());
-  }
-  void settle() override { tracker_->settle(); }
-  const Triangles& surface() override { return tracker_->surface(); }
-  double time() const override { return tracker_->time(); }
-  TrackerCost cost() const override { return tracker_->cost(); }
-
- private:
-  Phase& phase() {
-    const double middle = tracker_->time() + 0.5 * scene_.time.step;
-    for (Phase& phase : scene_.phases)
-      if (middle < phase.until) return phase;
-    return scene_.phases.back();
-  }
-  Scene& scene_;
-  std::unique_ptr<SurfaceTracker> tracker_;
-};
-
-bool moved_by_fields(const Scene& scene) {
-  return std::all_of(scene.phases.begin(), scene.phases.end(),
-                     [](const Phase& p) { return p.motion->field() != nullptr; });
-}
-
-std::unique_ptr<Steps> make_steps(Scene& scene) {
-  if (moved_by_fields(scene)) return std::make_unique<FieldSteps>(scene);
-  const std::string& kind = scene.method.kind;
-  if (kind == "mesh_without_topology" || kind == "markers") scene.time.remodel_every = 0;
-  if (kind == "markers") scene.time.improve_every = 0;
-  if (!keeps_a_mesh(scene.method.kind))
-    throw InvalidInput(scene.file.string() +
-                       ": the motion is decided by the surface's own vertices, which only the mesh "
-                       "methods have; give --method mesh");
-  return std::make_unique<MeshSteps>(scene);
-}
 
 class Measured {
  public:
@@ -120,10 +71,10 @@ class Measured {
     try {
       forget_peak();
       const double start = process_seconds();
-      steps_ = make_steps(scene_);
+      steps_ = make_steps(scene_, scene_.tracker);
       now_.seconds = process_seconds() - start;
       go();
-      const auto counts = steps_->cost().counts;
+      const auto counts = cost().counts;
       const bool refused = std::any_of(counts.begin(), counts.end(), [](const auto& c) {
         return c.first == "surgeries_refused" && c.second > 0;
       });
@@ -140,23 +91,30 @@ class Measured {
  private:
   void go() {
     const std::int64_t steps = scene_.time.steps();
-    const bool mesh = keeps_a_mesh(scene_.method.kind);
+    const bool mesh = has_a_mesh(scene_);
     std::size_t next = 0;
-    while (next < times_.size() && times_[next] <= 0) snap(next++);
+    for (; next < times_.size() && times_[next] <= 0; ++next) snap();
     for (std::int64_t i = 1; i <= steps && next < times_.size(); ++i) {
-      timed([&] { steps_->step(i); });
+      timed([&] {
+        watch_.begin();
+        steps_->step(i, watch_);
+      });
       now_.steps += 1;
       if (mesh) count();
       const double reached = steps_->time() + 1e-9 * scene_.time.step;
       const bool over = mesh && grown_together();
-      if (reached >= times_[next] || i == steps || over) {
-        timed([&] { steps_->settle(); });
-        while (next < times_.size() && (reached >= times_[next] || i == steps || over))
-          snap(next++);
+      while (next < times_.size() && (reached >= times_[next] || i == steps || over)) {
+        snap();
+        ++next;
       }
       tell(i, steps, mesh);
-      if (over) return;
+      if (over || (mesh && steps_->vanished())) break;
     }
+  }
+
+  TrackerCost cost() const {
+    const TrackerCost own = steps_->cost();
+    return own.seconds.empty() ? watch_.cost() : own;
   }
 
   template <class F>
@@ -178,11 +136,11 @@ class Measured {
     now_.triangles_max = std::max(now_.triangles_max, triangles);
   }
 
-  void snap(std::size_t /*which*/) {
+  void snap() {
     timed([&] { now_.surface = steps_->surface(); });
-    if (!keeps_a_mesh(scene_.method.kind)) count();
+    if (!has_a_mesh(scene_)) count();
     now_.time = steps_->time();
-    now_.cost = steps_->cost();
+    now_.cost = cost();
     now_.peak_megabytes = peak_megabytes();
     result_.snapshots.push_back(now_);
   }
@@ -198,7 +156,7 @@ class Measured {
     result_.failure = steps_ ? fmt::format("step {}: {}", now_.steps + 1, why) : why;
     if (!steps_) return;
     now_.time = steps_->time();
-    now_.cost = steps_->cost();
+    now_.cost = cost();
     now_.peak_megabytes = peak_megabytes();
     now_.surface = {};
     result_.snapshots.push_back(now_);
@@ -208,6 +166,7 @@ class Measured {
   std::vector<double> times_;
   RunWatcher* watcher_;
   std::unique_ptr<Steps> steps_;
+  Watch watch_;
   Snapshot now_;
   double counted_ = 0;
   MethodRun result_;

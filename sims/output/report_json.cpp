@@ -142,6 +142,13 @@ json to_json(const TrackerOptions& t) {
           {"quality", to_json(t.quality)}};
 }
 
+json to_json(const TrackerCost& cost) {
+  json seconds = json::object(), counts = json::object();
+  for (const auto& [part, spent] : cost.seconds) seconds[part] = spent;
+  for (const auto& [what, count] : cost.counts) counts[what] = count;
+  return {{"seconds", seconds}, {"counts", counts}};
+}
+
 json measured(const Triangles& surface) {
   const EdgeLengths lengths = edge_lengths(surface);
   const Angles corner = angles(surface);

@@ -4,6 +4,7 @@
 #include <nlohmann/json_fwd.hpp>
 
 #include "kernel/audit.h"
+#include "sims/rivals/surface_tracker.h"
 #include "surgery/options.h"
 #include "surgery/report.h"
 
@@ -14,6 +15,7 @@ nlohmann::json to_json(const SurgeryReport& report);
 nlohmann::json to_json(const QualityReport& report);
 nlohmann::json to_json(const Audit& audit);
 nlohmann::json to_json(const TrackerOptions& options);
+nlohmann::json to_json(const TrackerCost& cost);
 
 /// Counts, volume, area, components, Euler characteristic, angles and edge lengths of a surface.
 nlohmann::json measured(const Triangles& surface);

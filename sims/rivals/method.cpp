@@ -1,20 +1,44 @@
-// A scene's method by its name, behind the one interface.
+// The ways to track a surface that a scene can name, with their options, and whichever it names.
 #include "sims/rivals/method.h"
 
+#include "kernel/errors.h"
 #include "sims/rivals/mesh_tracker.h"
+#include "sims/scene.h"
 
 namespace suture {
+namespace {
 
-bool keeps_a_mesh(const std::string& kind) {
-  return kind == "mesh" || kind == "mesh_without_topology" || kind == "markers";
+void require_fields(const Scene& scene) {
+  for (const Phase& phase : scene.phases)
+    if (phase.motion->field() == nullptr)
+      throw InvalidInput(scene.file.string() + ": the motion \"" + phase.kind +
+                         "\" moves the vertices of a mesh and is no velocity field, which the "
+                         "method \"" +
+                         method_name(scene.method.kind) +
+                         "\" needs; choose another motion, or a mesh");
 }
 
+}  // namespace
+
 std::unique_ptr<SurfaceTracker> make_surface_tracker(const Scene& scene) {
-  const std::string& kind = scene.method.kind;
-  const bool topology = kind == "mesh", quality = kind != "markers";
+  const MethodOptions& method = scene.method;
+  if (!method.is_mesh()) require_fields(scene);
+  switch (method.kind) {
+    case MethodKind::level_set:
+      return make_level_set_tracker(scene.surface, method.level_set);
+    case MethodKind::particle_level_set:
+      return make_particle_level_set(scene.surface, method.particle_level_set);
+    case MethodKind::semi_lagrangian_contouring:
+      return make_semi_lagrangian_contouring(scene.surface, method.contouring);
+    case MethodKind::markers:
+      return make_mesh_tracker(scene.surface, scene.tracker, {0, 0});
+    case MethodKind::mesh_without_topology:
+      return make_mesh_tracker(scene.surface, scene.tracker, {0, scene.time.improve_every});
+    case MethodKind::mesh:
+      break;
+  }
   return make_mesh_tracker(scene.surface, scene.tracker,
-                           {.remodel_every = topology ? scene.time.remodel_every : 0,
-                            .improve_every = quality ? scene.time.improve_every : 0});
+                           {scene.time.remodel_every, scene.time.improve_every});
 }
 
 }  // namespace suture

@@ -1,18 +1,50 @@
-// A scene's method by its name, behind the one interface.
+// The ways to track a surface that a scene can name, with their options, and whichever it names.
 #pragma once
 
 #include <memory>
-#include <string>
 
-#include "sims/rivals/surface_tracker.h"
-#include "sims/scene.h"
+#include "sims/keys.h"
+#include "sims/rivals/level_set.h"
+#include "sims/rivals/particle_level_set.h"
+#include "sims/rivals/semi_lagrangian_contouring.h"
 
 namespace suture {
 
-/// Whether the method of this name keeps a mesh of its own, which costs nothing to ask for.
-bool keeps_a_mesh(const std::string& kind);
+enum class MethodKind {
+  mesh,                   ///< the tracker, with all that the scene says of it
+  mesh_without_topology,  ///< improved as the scene says, never remodelled [§9]
+  markers,                ///< neither: vertices carried by RK4
+  level_set,
+  particle_level_set,
+  semi_lagrangian_contouring
+};
 
-/// \throw InvalidInput as Tracker
+/// What the table [method] of a scene says; only the options of its kind mean anything.
+struct MethodOptions {
+  MethodKind kind = MethodKind::mesh;
+  LevelSetOptions level_set;
+  ParticleLevelSetOptions particle_level_set;
+  ContouringOptions contouring;
+
+  /// Whether it is the tracker's mesh, looked after or not.
+  bool is_mesh() const {
+    return kind == MethodKind::mesh || kind == MethodKind::mesh_without_topology ||
+           kind == MethodKind::markers;
+  }
+};
+
+/// The word by which scenes name it.
+const char* method_name(MethodKind kind);
+
+/// Reads [method], which may hold the keys of its kind and nothing else; cells and origin are the
+/// tracker's where it does not say. \throw InvalidInput with the key and what is allowed
+MethodOptions read_method(Keys keys, const TrackerOptions& tracker);
+
+struct Scene;
+
+/// The scene's surface as its method keeps it, remodelled and improved as the scene says.
+/// \throw InvalidInput if a motion is no velocity field and the method no mesh, or the method
+/// refuses its options or the surface
 std::unique_ptr<SurfaceTracker> make_surface_tracker(const Scene& scene);
 
 }  // namespace suture

@@ -39,6 +39,7 @@ Triangles carried_alone(Scene& scene, Triangles surface) {
   scene.surface = std::move(surface);
   scene.time.remodel_every = scene.time.improve_every = 0;
   scene.time.step /= 4;
+  scene.method = {};  // vertices, whatever it is a reference for
   Stepper stepper(scene, scene.tracker);
   StepWatcher nobody;
   for (std::int64_t i = 1; i <= scene.time.steps(); ++i) stepper.step(i, nobody);
