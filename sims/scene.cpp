@@ -218,19 +218,21 @@ std::vector<Phase> read_phases(TomlTable& scene, const std::vector<Point>& veloc
   return phases;
 }
 
-void apply(const SceneChanges& changes, TomlTable& toml) {
-  for (const auto& [name, value] : changes) {
-    const std::size_t dot = name.find('.');
-    const std::string inner = name.substr(0, dot);
-    if (const auto list = toml.lists.find(inner); list != toml.lists.end()) {
-      for (TomlTable& each : list->second)
-        each.keys.put(name.substr(dot + 1), value, "a change of the scene");
-      continue;
-    }
-    const TomlTable empty = table(toml, inner);
-    toml.tables.emplace(inner, empty)
-        .first->second.keys.put(name.substr(dot + 1), value, "a change of the scene");
+/// Puts a value at "key" or "table.key" of a table, or of each table of a list of that name.
+void put(TomlTable& table, const std::string& name, const Value& value) {
+  const std::size_t dot = name.find('.');
+  if (dot == std::string::npos) return table.keys.put(name, value, "a change of the scene");
+  const std::string inner = name.substr(0, dot), rest = name.substr(dot + 1);
+  if (const auto list = table.lists.find(inner); list != table.lists.end()) {
+    for (TomlTable& each : list->second) put(each, rest, value);
+    return;
   }
+  const TomlTable empty{Keys({}, inner, table.where), {}, {}, {}, table.where};
+  put(table.tables.emplace(inner, empty).first->second, rest, value);
+}
+
+void apply(const SceneChanges& changes, TomlTable& toml) {
+  for (const auto& [name, value] : changes) put(toml, name, value);
 }
 
 }  // namespace

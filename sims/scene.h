@@ -78,7 +78,7 @@ struct Scene {
 };
 
 /// Values in place of a scene file's own, by table and key: "tracker.cell_size"; of a list of
-/// tables, as "bodies.scatter_seed", in each of them.
+/// tables, as "bodies.scatter_seed" or "bodies.parameters.radius", in each of them.
 using SceneChanges = std::map<std::string, Value>;
 
 /// Reads a scene from a TOML file, and its meshes from paths relative to that file. Models are

@@ -104,6 +104,7 @@ class Work {
   Work(const MeasurementOptions& options, const std::string& command)
       : options_(options), scene_(read_scene(options.scene, options.changes)) {
     settings_ = setting_cells(scene_, options.changes, command);
+    settings_.insert(settings_.begin(), {"run", options.name});
     if (!options.reference.empty()) scene_.measure.reference = options.reference;
     if (options.tolerance > 0) scene_.measure.tolerance = options.tolerance;
   }
