@@ -15,7 +15,8 @@ struct SphereParameters {
   Point centre = Point::Zero();
   double radius = 1;
   double edge_length = 0.1;
-  int frequency = 0;  ///< parts of an icosahedron's edge, 20·n² triangles; 0: from edge_length
+  int frequency = 0;     ///< parts of an icosahedron's edge, 20·n² triangles; 0: from edge_length
+  int exact_volume = 0;  ///< 1: vertices lie so far outside that the volume is the ball's; 0: on it
 };
 Triangles sphere(const SphereParameters& parameters);
 

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "kernel/measures.h"
 #include "kernel/shape_checks.h"
 #include "kernel/shapes.h"
 
@@ -91,7 +92,12 @@ Triangles sphere(const SphereParameters& p) {
     const double triangles = area / (std::sqrt(0.1875) * p.edge_length * p.edge_length);
     frequency = std::max(1, static_cast<int>(std::round(std::sqrt(triangles / 20))));
   }
+  require_range("sphere: exact_volume", p.exact_volume, 0, 1, "0 or 1");
   Triangles surface = Geodesic(frequency, p.radius).take();
+  if (p.exact_volume == 1) {
+    const Triangles unit = Geodesic(frequency, 1).take();
+    surface = Geodesic(frequency, p.radius * std::cbrt(4 * pi / 3 / volume(unit))).take();
+  }
   for (Point& q : surface.positions) q += p.centre;
   return surface;
 }

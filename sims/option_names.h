@@ -22,7 +22,9 @@ inline constexpr std::array<Named<Arithmetic>, 3> kArithmeticNames = {
     {{"rounded", Arithmetic::rounded},
      {"filtered", Arithmetic::filtered},
      {"rational", Arithmetic::rational}}};
-inline constexpr std::array<Named<Subdivision>, 2> kSubdivisionNames = {
-    {{"midpoint", Subdivision::midpoint}, {"curved", Subdivision::curved}}};
+inline constexpr std::array<Named<Subdivision>, 3> kSubdivisionNames = {
+    {{"midpoint", Subdivision::midpoint},
+     {"curved", Subdivision::curved},
+     {"fitted", Subdivision::fitted}}};
 
 }  // namespace suture

@@ -38,6 +38,8 @@ TomlTable table(const TomlTable& scene, const std::string& name) {
 QualityOptions read_quality(Keys keys) {
   QualityOptions q;
   q.edge_length = keys.number("edge_length", Range::at_least(0), q.edge_length);
+  q.chord_error = keys.number("chord_error", Range::at_least(0), q.chord_error);
+  q.finest = keys.number("finest", Range{0, 1, true}, q.finest);
   q.longest = keys.number("longest", Range::above(1), q.longest);
   q.shortest = keys.number("shortest", Range::between(0, 1), q.shortest);
   q.smallest_angle = keys.number("smallest_angle", Range::between(0, 60), q.smallest_angle);
@@ -60,7 +62,8 @@ void require_affordable(const Scene& scene, const TomlTable& toml) {
   if (scene.time.improve_every == 0 || q.passes == 0) return;
   constexpr double usual = 1.5;  // what `longest` is if edges are to be about edge_length
   const bool own = q.edge_length > 0;
-  const double edge = (own ? q.edge_length : scene.tracker.cell_size) * q.longest / usual;
+  const double finest = q.chord_error > 0 ? q.finest : 1;  // if it were curved everywhere
+  const double edge = (own ? q.edge_length : scene.tracker.cell_size) * finest * q.longest / usual;
   // In units of the edge, whose square could be beyond the doubles; 4/√3 equilateral triangles
   // with edges of length 1 have an area of 1.
   const double factor =

@@ -58,7 +58,7 @@ Mesh::Halfedge_index best_flip(Improvement& work, Mesh::Face_index f) {
     const LocalChange change = flip_change(work.mesh, h);
     const double gain = worst_after(change) - worst_before(change);
     if (!(gain > best_gain)) continue;
-    if (may_flip(work.mesh, h, change, work.rules) == Refusal::none) {
+    if (may_flip(work.mesh, h, change, work.rules_at(h)) == Refusal::none) {
       best = h;
       best_gain = gain;
     } else {
@@ -111,15 +111,19 @@ std::size_t flatten_caps(Improvement& work) {
     const Point a = to_point(mesh.point(mesh.source(h)));
     const Point along = to_point(mesh.point(mesh.target(h))) - a;
     const Point apex = to_point(mesh.point(mesh.target(mesh.next(h))));
-    const Point foot = a + along * (along.dot(apex - a) / along.squaredNorm());
-    if (judge(split_change(mesh, h, foot), work.rules) != Refusal::none) continue;
+    const double part = along.dot(apex - a) / along.squaredNorm();
+    const bool fitted = work.options.subdivision == Subdivision::fitted;
+    const Point foot = fitted ? surface_point(work, h, part) : Point(a + along * part);
+    if (judge(split_change(mesh, h, foot), work.rules_at(h)) != Refusal::none) continue;
+    const double scale = work.scale(h);
     const auto stay = mesh.source(h);
     const auto moved = mesh.target(mesh.next(h));
     const auto v = split_edge(mesh, h, foot);
+    if (work.options.chord_error > 0) work.scales[v] = scale;
     const auto drop = mesh.halfedge(moved, v);
     const LocalChange change = collapse_change(mesh, drop, foot);
     if (worst_after(change) > shape.smallest_sine &&
-        may_collapse(mesh, drop, work.rules) == Refusal::none) {
+        may_collapse(mesh, drop, work.rules_at(drop)) == Refusal::none) {
       collapse(mesh, drop);
       ++done;
     } else {

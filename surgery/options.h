@@ -34,12 +34,20 @@ enum class Placement {
 /// Where subdivision puts a new vertex [§6.2].
 enum class Subdivision {
   midpoint,  ///< flattens curved surfaces a little each time
-  curved     ///< on the cubic that the edge's end points and normals define
+  curved,    ///< on the cubic that the edge's end points and normals define
+  /// On a polynomial surface fitted to the two rings around the edge; and collapses leave vertices
+  /// where they are. So what the flow moved stays where the flow took it: for smooth surfaces, of
+  /// which the mesh's vertices are samples.
+  fitted
 };
 
 /// Mesh improvement [§6.2]. Lengths are in the scene's unit.
 struct QualityOptions {
-  double edge_length = 0;      ///< the length aimed at; 0: the cell size of the tracker
+  double edge_length = 0;  ///< the length aimed at; 0: the cell size of the tracker
+  /// Where the surface is curved, edges aim at the length whose middle is this far from it; 0: at
+  /// edge_length everywhere [Dunyach et al. 2013].
+  double chord_error = 0;
+  double finest = 0.25;        ///< × edge_length: the least length that curvature may ask for
   double longest = 1.5;        ///< edges above longest × edge_length are subdivided
   double shortest = 0.4;       ///< edges below shortest × edge_length are collapsed
   double smallest_angle = 15;  ///< degrees; a triangle with a smaller angle is bad

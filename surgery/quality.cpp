@@ -62,7 +62,11 @@ QualityReport improve(Mesh& mesh, const QualityOptions& options, const Lattice* 
                    std::sin(options.smallest_angle * kDegree),
                    std::cos(options.largest_angle * kDegree),
                    report};
+  const bool by_curvature = options.chord_error > 0;
+  if (by_curvature)
+    work.scales = mesh.add_property_map<Mesh::Vertex_index, double>("v:scale", 1).first;
   for (int pass = 0; pass < options.passes; ++pass) {
+    if (by_curvature) set_scales(work);
     std::size_t done = subdivide_long_edges(work);
     done += collapse_short_edges(work);
     done += flip_bad_edges(work);
@@ -73,6 +77,7 @@ QualityReport improve(Mesh& mesh, const QualityOptions& options, const Lattice* 
   for (const auto v : mesh.vertices())
     if (before[v] != kNone) report.vertex_map[before[v]] = v;
   mesh.remove_property_map(before);
+  if (by_curvature) mesh.remove_property_map(work.scales);
   measure(mesh, report);
   return report;
 }

@@ -1,6 +1,8 @@
 // The parts of mesh improvement, each a sweep over the mesh [§6.2]; `improve` puts them in order.
 #pragma once
 
+#include <algorithm>
+
 #include "surgery/features.h"
 #include "surgery/options.h"
 #include "surgery/report.h"
@@ -23,7 +25,20 @@ struct Improvement {
   double longest, shortest;  ///< lengths
   double sin_smallest_angle, cos_largest_angle;
   QualityReport& report;
+  /// × the lengths, at each vertex: below 1 where curvature asks for shorter edges. Not there where
+  /// options.chord_error is 0.
+  Mesh::Property_map<Mesh::Vertex_index, double> scales{};
+
+  /// The lesser of an edge's ends.
+  double scale(Mesh::Halfedge_index h) const {
+    return options.chord_error > 0 ? std::min(scales[mesh.source(h)], scales[mesh.target(h)]) : 1;
+  }
+  /// The rules for what is done at an edge, whose bounds go with the lengths there.
+  CollapseRules rules_at(Mesh::Halfedge_index h) const;
 };
+
+/// Sets improvement.scales by the curvature at each vertex. \pre options.chord_error > 0
+void set_scales(Improvement& improvement);
 
 /// Extent and shape of a triangle, all that decides whether it is bad.
 struct Shape {
@@ -51,9 +66,9 @@ Mesh::Vertex_index split_edge(Mesh& mesh, Mesh::Halfedge_index h, const Point& a
 /// The change that split_edge would be.
 LocalChange split_change(const Mesh& mesh, Mesh::Halfedge_index h, const Point& at);
 
-/// Middle of the cubic of Vlachos et al.'s curved PN triangles along the edge; on features, whose
-/// vertex normals mean nothing, the midpoint.
-Point curved_point(const Improvement& improvement, Mesh::Halfedge_index h);
+/// The point on the surface over source + part × (target − source), by options.subdivision; over
+/// features, whose vertex normals mean nothing, that point itself.
+Point surface_point(const Improvement& improvement, Mesh::Halfedge_index h, double part);
 
 /// Each splits, collapses or flips what is too long, too short or bad, and returns how often.
 std::size_t subdivide_long_edges(Improvement& improvement);

@@ -58,9 +58,13 @@ Ways ways_to_collapse(const Improvement& work, Mesh::Halfedge_index h) {
   const bool source_free = vertex_kind(mesh, mesh.source(h), work.rules) == VertexKind::free;
   const bool target_free = vertex_kind(mesh, mesh.target(h), work.rules) == VertexKind::free;
   if (source_free && target_free) {
+    if (work.options.subdivision == Subdivision::fitted)
+      return {{h, q}, {back, p}, {h, surface_point(work, h, 0.5)}};
     // Splits on the curve and collapses that keep the volume would blow the surface up together.
     const bool curved = work.options.subdivision == Subdivision::curved;
-    return {{h, curved ? curved_point(work, h) : volume_keeping_point(mesh, h)}, {h, q}, {back, p}};
+    return {{h, curved ? surface_point(work, h, 0.5) : volume_keeping_point(mesh, h)},
+            {h, q},
+            {back, p}};
   }
   if (target_free) return {{back, p}, {h, q}};
   return {{h, q}, {back, p}};
@@ -82,15 +86,18 @@ bool leaves_good_shapes(const Improvement& work, Mesh::Halfedge_index h,
     worst = std::min(worst, shape_of(work.mesh, work.mesh.face(g)).smallest_sine);
   return worst_after(change) >= worst &&
          longest_edge(change, &LocalChange::Pair::after) <=
-             std::max(work.longest, longest_edge(change, &LocalChange::Pair::before));
+             std::max(work.longest * work.scale(h),
+                      longest_edge(change, &LocalChange::Pair::before));
 }
 
 /// The first way that the rules allow and that leaves good shapes, if any; else why not.
-Refusal choose_good_way(const Improvement& work, const Ways& ways, Way& chosen) {
+Refusal choose_good_way(const Improvement& work, Mesh::Halfedge_index h, const Ways& ways,
+                        Way& chosen) {
   Refusal first = Refusal::none;
+  const CollapseRules rules = work.rules_at(h);
   for (const Way& way : ways) {
     chosen = way;
-    Refusal refusal = may_collapse_to(work.mesh, way.h, way.to, work.rules);
+    Refusal refusal = may_collapse_to(work.mesh, way.h, way.to, rules);
     if (refusal == Refusal::none &&
         leaves_good_shapes(work, way.h, collapse_change(work.mesh, way.h, way.to)))
       return Refusal::none;
@@ -112,20 +119,20 @@ bool is_allowed(const Improvement& work, const Ways& ways, const CollapseRules& 
 /// both its ends are held by features.
 Refusal choose_way(const Improvement& work, Mesh::Halfedge_index h, Way& chosen) {
   const Ways ways = ways_to_collapse(work, h);
-  const Refusal refusal = choose_good_way(work, ways, chosen);
+  const Refusal refusal = choose_good_way(work, h, ways, chosen);
   if (refusal == Refusal::none) return refusal;
-  if (length_of(work.mesh, h) > kFeatureScale * work.shortest) return refusal;
-  if (is_allowed(work, ways, work.rules, chosen)) return Refusal::none;
+  if (length_of(work.mesh, h) > kFeatureScale * work.shortest * work.scale(h)) return refusal;
+  if (is_allowed(work, ways, work.rules_at(h), chosen)) return Refusal::none;
   if (!leaves_feature(work.mesh, h, work.rules) ||
       !leaves_feature(work.mesh, work.mesh.opposite(h), work.rules))
     return refusal;
-  CollapseRules relaxed = work.rules;
+  CollapseRules relaxed = work.rules_at(h);
   relaxed.cos_feature = -2;
   return is_allowed(work, ways, relaxed, chosen) ? Refusal::none : refusal;
 }
 
 bool is_wanted(const Improvement& work, Mesh::Halfedge_index h, double length) {
-  if (length < work.shortest) return true;
+  if (length < work.shortest * work.scale(h)) return true;
   for (const auto g : {h, work.mesh.opposite(h)}) {
     const auto f = work.mesh.face(g);
     const Shape shape = shape_of(work.mesh, f);

@@ -1,52 +1,49 @@
 // Long edges are split, the longest first [§6.2].
 #include <algorithm>
+#include <limits>
 #include <optional>
 #include <queue>
 #include <tuple>
 
+#include "surgery/fitted_curve.h"
 #include "surgery/quality_passes.h"
+#include "surgery/vertex_normal.h"
 
 namespace suture {
 
 namespace {
 
 struct LongEdge {
-  double length;
+  double length;  ///< × what is asked for there
   Mesh::Edge_index edge;
   bool operator<(const LongEdge& b) const {
     return std::tie(length, b.edge) < std::tie(b.length, edge);
   }
 };
 
-/// Weighted so that it is exact on a sphere, however irregular the star [Max 1999].
-Point vertex_normal(const Mesh& mesh, Mesh::Vertex_index v) {
-  Point sum = Point::Zero();
-  const Point at = to_point(mesh.point(v));
-  for (const auto h : mesh.halfedges_around_target(mesh.halfedge(v))) {
-    const Point a = to_point(mesh.point(mesh.target(mesh.next(h)))) - at;
-    const Point b = to_point(mesh.point(mesh.source(h))) - at;
-    const double weight = a.squaredNorm() * b.squaredNorm();
-    if (weight > 0) sum += a.cross(b) / weight;
-  }
-  return sum.normalized();
-}
-
-Point midpoint(const Mesh& mesh, Mesh::Halfedge_index h) {
-  return (to_point(mesh.point(mesh.source(h))) + to_point(mesh.point(mesh.target(h)))) / 2;
+/// The cubic of Vlachos et al.'s curved PN triangles along the edge, at its middle.
+Point curved_middle(const Mesh& mesh, Mesh::Halfedge_index h) {
+  const Point p = to_point(mesh.point(mesh.source(h))), q = to_point(mesh.point(mesh.target(h)));
+  const Point along = q - p;
+  const Point at_source = vertex_normal(mesh, mesh.source(h));
+  const Point at_target = vertex_normal(mesh, mesh.target(h));
+  return (p + q) / 2 - (along.dot(at_source) * at_source - along.dot(at_target) * at_target) / 8;
 }
 
 }  // namespace
 
-Point curved_point(const Improvement& work, Mesh::Halfedge_index h) {
+Point surface_point(const Improvement& work, Mesh::Halfedge_index h, double part) {
   const Mesh& mesh = work.mesh;
-  const Point middle = midpoint(mesh, h);
+  const Point p = to_point(mesh.point(mesh.source(h))), q = to_point(mesh.point(mesh.target(h)));
+  const Point straight = part == 0.5 ? Point((p + q) / 2) : Point((1 - part) * p + part * q);
+  const Subdivision how = work.options.subdivision;
+  if (how == Subdivision::midpoint || (how == Subdivision::curved && part != 0.5)) return straight;
   if (vertex_kind(mesh, mesh.source(h), work.rules) != VertexKind::free ||
       vertex_kind(mesh, mesh.target(h), work.rules) != VertexKind::free)
-    return middle;
-  const Point along = to_point(mesh.point(mesh.target(h))) - to_point(mesh.point(mesh.source(h)));
-  const Point at_source = vertex_normal(mesh, mesh.source(h));
-  const Point at_target = vertex_normal(mesh, mesh.target(h));
-  return middle - (along.dot(at_source) * at_source - along.dot(at_target) * at_target) / 8;
+    return straight;
+  if (how == Subdivision::fitted)
+    if (const auto curve = FittedCurve::fit(mesh, h)) return curve->at(part);
+  return part == 0.5 ? curved_middle(mesh, h) : straight;
 }
 
 namespace {
@@ -57,23 +54,33 @@ namespace {
 constexpr double kShrinks = 0.95;
 
 /// Where to split: the point asked for if the rules allow it, else the middle, else off the middle,
-/// where rounding may not push a lattice node through the surface.
+/// where rounding may not push a lattice node through the surface. A fitted point is where the
+/// surface is, as well as the mesh can tell: it may leave nodes on its other side and add volume,
+/// as the flow itself does. In Enright's test the middles that would take its place beside nodes,
+/// one in 600, made 9/10 of all error.
 std::optional<Point> choose_point(const Improvement& work, Mesh::Halfedge_index h) {
   const Mesh& mesh = work.mesh;
   const Point a = to_point(mesh.point(mesh.source(h)));
   const Point b = to_point(mesh.point(mesh.target(h)));
   const Point c = to_point(mesh.point(mesh.target(mesh.next(h))));
   const Point d = to_point(mesh.point(mesh.target(mesh.next(mesh.opposite(h)))));
-  const double most = std::max(work.longest, kShrinks * (b - a).norm());
-  const Point middle = midpoint(mesh, h);
-  const Point first =
-      work.options.subdivision == Subdivision::curved ? curved_point(work, h) : middle;
-  for (const Point& p :
-       {first, middle, Point(0.4375 * a + 0.5625 * b), Point(0.5625 * a + 0.4375 * b)}) {
+  const double most = std::max(work.longest * work.scale(h), kShrinks * (b - a).norm());
+  const auto is_allowed = [&](const Point& p, const CollapseRules& rules) {
     const double longest =
         std::max({(p - a).norm(), (p - b).norm(), (p - c).norm(), (p - d).norm()});
-    if (longest <= most && judge(split_change(mesh, h, p), work.rules) == Refusal::none) return p;
+    return longest <= most && judge(split_change(mesh, h, p), rules) == Refusal::none;
+  };
+  const CollapseRules strict = work.rules_at(h);
+  CollapseRules loose = strict;
+  if (work.options.subdivision == Subdivision::fitted) {
+    loose.lattice = nullptr;
+    loose.volume_bound = std::numeric_limits<double>::infinity();
   }
+  const Point first = surface_point(work, h, 0.5);
+  if (is_allowed(first, loose)) return first;
+  for (const Point& p :
+       {Point((a + b) / 2), Point(0.4375 * a + 0.5625 * b), Point(0.5625 * a + 0.4375 * b)})
+    if (is_allowed(p, strict)) return p;
   return std::nullopt;
 }
 
@@ -83,7 +90,7 @@ std::size_t subdivide_long_edges(Improvement& work) {
   Mesh& mesh = work.mesh;
   std::priority_queue<LongEdge> queue;
   const auto push_if_long = [&](Mesh::Halfedge_index h) {
-    const double length = length_of(mesh, h);
+    const double length = length_of(mesh, h) / work.scale(h);
     if (length > work.longest) queue.push({length, mesh.edge(h)});
   };
   for (const auto e : mesh.edges()) push_if_long(mesh.halfedge(e));
@@ -92,10 +99,12 @@ std::size_t subdivide_long_edges(Improvement& work) {
     const LongEdge next = queue.top();
     queue.pop();
     const auto h = mesh.halfedge(next.edge);
-    if (length_of(mesh, h) != next.length) continue;
+    if (length_of(mesh, h) / work.scale(h) != next.length) continue;
     const std::optional<Point> at = choose_point(work, h);
     if (!at) continue;
+    const double scale = work.scale(h);
     const auto v = split_edge(mesh, h, *at);
+    if (work.options.chord_error > 0) work.scales[v] = scale;
     ++done;
     for (const auto g : mesh.halfedges_around_target(mesh.halfedge(v))) push_if_long(g);
   }

@@ -35,16 +35,18 @@ void require_in_range(const TrackerOptions& o) {
   if (o.most_restarts < 0) throw InvalidInput("most_restarts must be 0 or more");
   const QualityOptions& q = o.quality;
   const bool lengths = q.edge_length >= 0 && q.shortest >= 0 && q.longest > q.shortest &&
-                       std::isfinite(q.edge_length) && std::isfinite(q.longest);
+                       std::isfinite(q.edge_length) && std::isfinite(q.longest) &&
+                       q.chord_error >= 0 && std::isfinite(q.chord_error) && q.finest > 0 &&
+                       q.finest <= 1;
   const bool shapes = q.smallest_angle >= 0 && q.smallest_angle <= 60 && q.largest_angle >= 60 &&
                       q.largest_angle <= 180 && q.feature_angle >= 0 && q.feature_angle <= 180 &&
                       q.turn_bound >= 0 && q.turn_bound <= 180;
   if (!lengths || !shapes || !(q.volume_bound >= 0) || q.passes < 0)
     throw InvalidInput(
-        "a quality option is out of range: lengths are finite with 0 <= shortest < longest, angles "
-        "0 "
-        "to 180 degrees (smallest at most 60, largest at least), volume_bound and passes 0 or "
-        "more");
+        "a quality option is out of range: lengths are finite with 0 <= shortest < longest, finest "
+        "is above 0 and at most 1, angles 0 to 180 degrees (smallest at most 60, largest at "
+        "least), "
+        "chord_error, volume_bound and passes 0 or more");
 }
 
 std::vector<std::uint32_t> identity(std::size_t n) {
@@ -80,6 +82,7 @@ std::optional<Improved> improve_in_unit(const Surface& surface, const TrackerOpt
   QualityOptions quality = options.quality;
   if (quality.edge_length == 0) quality.edge_length = options.cell_size;
   quality.edge_length = std::ldexp(quality.edge_length, -unit);
+  quality.chord_error = std::ldexp(quality.chord_error, -unit);
   Surface work = surface;
   multiply(work, -unit);
   const Lattice lattice = tracker_lattice(work.triangles.positions, times_power(options, -unit));

@@ -35,6 +35,11 @@ void require_unit(const TrackerOptions& o) {
     throw InvalidInput("quality.edge_length is " + number(length) + " where cell_size is " +
                        number(o.cell_size) + "; keep the two within a factor of 2^" +
                        std::to_string(kFarthestUnit) + ", or leave it 0");
+  const double chord = o.quality.chord_error;
+  if (chord != 0 && !(chord / o.cell_size <= farthest && o.cell_size / chord <= farthest))
+    throw InvalidInput("quality.chord_error is " + number(chord) + " where cell_size is " +
+                       number(o.cell_size) + "; keep the two within a factor of 2^" +
+                       std::to_string(kFarthestUnit) + ", or leave it 0");
   for (int a = 0; a < 3; ++a)
     if (!exact(o.origin[a], -unit_exponent(o)))
       throw InvalidInput("the lattice's origin has " + std::string(kAxisName[a]) + " = " +
@@ -58,6 +63,7 @@ void require_room(const std::vector<Point>& positions, const TrackerOptions& opt
 TrackerOptions times_power(TrackerOptions options, int exponent) {
   options.cell_size = std::ldexp(options.cell_size, exponent);
   options.quality.edge_length = std::ldexp(options.quality.edge_length, exponent);
+  options.quality.chord_error = std::ldexp(options.quality.chord_error, exponent);
   for (double& x : options.origin) x = std::ldexp(x, exponent);
   return options;
 }

@@ -24,6 +24,10 @@ QualityOptions any_quality(Random& random, double cell) {
   q.edge_length = random.below(2) == 0 ? 0 : cell * random.uniform(0.5, 2.5);
   q.keep_features = random.below(2) == 0;
   q.subdivision = any_of(kSubdivisionNames, random);
+  if (random.below(3) == 0) {
+    q.chord_error = cell * random.uniform(0.001, 0.2);
+    q.finest = random.uniform(0.2, 1);
+  }
   q.passes = static_cast<int>(1 + random.below(3));
   if (random.below(4) == 0) {
     q.longest = random.uniform(1.2, 2);
@@ -70,6 +74,7 @@ void take_elsewhere(FuzzCase& c, Random& random, OperationSizes& sizes) {
     c.options.cell_size *= factor;
     c.options.origin *= factor;
     c.options.quality.edge_length *= factor;
+    c.options.quality.chord_error *= factor;
     sizes.unit = factor;
   } else if (how == 2) {
     const double away = std::ldexp(1.0, static_cast<int>(random.below(36)));

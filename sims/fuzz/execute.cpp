@@ -48,8 +48,9 @@ bool too_costly(const Tracker& tracker, Kind kind) {
     return !(cost.crossings <= most && cost.planes <= kMostPlanes);
   }
   if (kind != Kind::improve) return false;
-  const double edge =
-      (o.quality.edge_length > 0 ? o.quality.edge_length : o.cell_size) * o.quality.longest;
+  const double finest = o.quality.chord_error > 0 ? o.quality.finest : 1;
+  const double edge = (o.quality.edge_length > 0 ? o.quality.edge_length : o.cell_size) * finest *
+                      o.quality.longest;
   const Cost cost = remodel_cost(surface, edge);
   return !(4 * cost.crossings <= kMostTriangles && cost.planes <= kMostPlanes);
 }

@@ -108,6 +108,7 @@ class Minimiser {
     };
     attempt([&](TrackerOptions& o) { o.quality = plain.quality; });
     attempt([&](TrackerOptions& o) { o.quality.edge_length = 0; });
+    attempt([&](TrackerOptions& o) { o.quality.chord_error = 0; });
     attempt([&](TrackerOptions& o) { o.origin = plain.origin; });
     attempt([&](TrackerOptions& o) { o.events = plain.events; });
     attempt([&](TrackerOptions& o) { o.cell_test = plain.cell_test; });

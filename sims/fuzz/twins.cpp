@@ -193,6 +193,7 @@ Objection object_scaling(const Observation& o) {
   options.cell_size *= factor;
   options.origin *= factor;
   options.quality.edge_length *= factor;
+  options.quality.chord_error *= factor;
   const Twin twin = remodelled(twin_before, options);
   if (const auto d = compare_counts(*o.surgery, twin.report))
     return fmt::format("times 2^{}: {}", k, *d);

@@ -53,6 +53,8 @@ json to_json(const OracleCounts& o) {
 
 json to_json(const QualityOptions& q) {
   return {{"edge_length", q.edge_length},
+          {"chord_error", q.chord_error},
+          {"finest", q.finest},
           {"longest", q.longest},
           {"shortest", q.shortest},
           {"smallest_angle", q.smallest_angle},

@@ -66,6 +66,18 @@ double angle_between(const Point& a, const Point& b) {
 
 }  // namespace
 
+TEST_CASE("a sphere may have the volume of its ball, whatever its resolution") {
+  for (const double edge : {0.5, 0.1}) {
+    const double exact = 4 * kPi / 3 * 8;
+    const Triangles on = sphere({.radius = 2, .edge_length = edge});
+    const Triangles outside = sphere({.radius = 2, .edge_length = edge, .exact_volume = 1});
+    CHECK(volume(on) < 0.9995 * exact);
+    CHECK(volume(outside) == Approx(exact).epsilon(1e-14));
+    CHECK(on.triangles == outside.triangles);
+  }
+  CHECK_THROWS_AS(sphere({.exact_volume = 2}), InvalidInput);
+}
+
 TEST_CASE("every shape is a closed embedded manifold of the right topology at every resolution",
           "[slow]") {
   REQUIRE(kCases.size() == shape_catalogue().size());

@@ -94,6 +94,11 @@ TEST_CASE("every choice of events, cells and subdivision gives the same bits eve
     check(std::string("subdivision ") + subdivision.name,
           remodelled_twice(mixed_bodies(), options));
   }
+  TrackerOptions options{.cell_size = 0.25};
+  options.quality.keep_features = false;
+  options.quality.subdivision = Subdivision::fitted;
+  options.quality.chord_error = 0.01;
+  check("edges by curvature", remodelled_twice(mixed_bodies(), options));
 }
 
 TEST_CASE("hostile input gives the same bits everywhere") {

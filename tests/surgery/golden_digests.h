@@ -39,6 +39,8 @@ inline constexpr Golden kGolden[] = {
     {"events none deep", 0x760d2cef6c7d7975ULL},
     {"events none plain", 0x760d2cef6c7d7975ULL},
     {"subdivision midpoint", 0x52091f90d2de1f03ULL},
+    {"subdivision fitted", 0xdc4fb1690f5097e7ULL},
+    {"edges by curvature", 0x12e9a2edad540848ULL},
     {"subdivision curved", 0x97e8f9cf61339657ULL},
     {"hostile 0", 0x909e265c3b2c7e47ULL},
     {"hostile 1", 0x0e78e6de67ea17a0ULL},

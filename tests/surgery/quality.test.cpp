@@ -8,7 +8,9 @@
 #include "kernel/audit.h"
 #include "kernel/errors.h"
 #include "kernel/measures.h"
+#include "kernel/shapes.h"
 #include "surgery/advect.h"
+#include "surgery/tracker.h"
 #include "tests/surgery/quality_bodies.h"
 
 using namespace suture;
@@ -113,6 +115,86 @@ TEST_CASE("curved subdivision follows the sphere where midpoints cut it short") 
   const Triangles round = improved(ball(2), options);
   CHECK(audit(round).closed_manifold());
   CHECK(furthest_inside(round) < 0.2 * flat);
+}
+
+TEST_CASE("fitted subdivision is of fourth order where curved subdivision is of second") {
+  // Furthest from the torus that any vertex is after one round of subdivision.
+  const auto furthest = [](double edge, Subdivision how) {
+    auto options = aiming_at(edge / 2);
+    options.volume_bound = 1;
+    options.passes = 1;
+    options.subdivision = how;
+    double most = 0;
+    for (const Point& p : improved(torus({.edge_length = edge}), options).positions)
+      most = std::max(most, std::abs(std::hypot(std::hypot(p[0], p[1]) - 1, p[2]) - 0.4));
+    return most;
+  };
+  const double coarse = furthest(0.16, Subdivision::fitted);
+  const double fine = furthest(0.08, Subdivision::fitted);
+  CHECK(std::log2(coarse / fine) > 3.5);
+  CHECK(fine < 0.03 * furthest(0.08, Subdivision::curved));
+}
+
+TEST_CASE("fitted improvement leaves the vertices that it keeps where they were") {
+  Triangles s = torus({.edge_length = 0.1});
+  for (Point& p : s.positions) p[0] *= 1.6;  // some edges are too long now, and some too short
+  auto options = aiming_at(0.12);
+  options.shortest = 0.7;
+  options.longest = 1.2;
+  options.subdivision = Subdivision::fitted;
+  Mesh mesh = to_mesh(s);
+  const auto report = improve(mesh, options, nullptr, nullptr);
+  REQUIRE(report.subdivisions > 100);
+  REQUIRE(report.collapses.done > 100);
+  const Triangles after = to_triangles(mesh);
+  CHECK(audit(after).closed_manifold());
+  std::size_t kept = 0, moved = 0;
+  for (std::size_t i = 0; i < s.positions.size(); ++i) {
+    const std::uint32_t v = report.vertex_map[i];
+    if (v != kNone) ++kept, moved += after.positions[v] != s.positions[i] ? 1 : 0;
+  }
+  CHECK(kept > s.positions.size() / 4);
+  CHECK(moved < kept / 8);  // where neither end of a short edge could stay, by shapes
+  double most = 0;
+  for (const Point& p : after.positions)
+    most = std::max(most, std::abs(std::hypot(std::hypot(p[0] / 1.6, p[1]) - 1, p[2]) - 0.4));
+  CHECK(most < 2e-3);  // edges of length 0.13 cut up to 5e-3 off the tube
+}
+
+TEST_CASE("a fitted split stays on the surface where lattice nodes are in its way") {
+  const Triangles s = ball(3);
+  Tracker tracker(
+      s, {.cell_size = 0.02, .quality = {.edge_length = 0.07, .subdivision = Subdivision::fitted}});
+  const auto report = tracker.improve();
+  CHECK(report.subdivisions > 1000);
+  double most = 0;
+  for (const Point& p : tracker.surface().positions) most = std::max(most, std::abs(p.norm() - 1));
+  CHECK(most < 1e-4);  // midpoints are up to 4e-3 inside
+}
+
+TEST_CASE("edges are as short as curvature asks, and no shorter than the finest") {
+  Triangles s = ball(5);
+  for (Point& p : s.positions) p[2] *= 4;  // curvature 4 at the poles, about 1/4 to 1 at the waist
+  auto options = aiming_at(0.6);
+  options.subdivision = Subdivision::fitted;
+  options.chord_error = 0.005;
+  const auto edges_near = [](const Triangles& t, double low, double high) {
+    double sum = 0;
+    int count = 0;
+    for (const Triangle& f : t.triangles) {
+      const Point p = t.positions[f[0]], q = t.positions[f[1]];
+      if (std::abs(p[2]) < low || std::abs(p[2]) > high) continue;
+      sum += (p - q).norm();
+      ++count;
+    }
+    return sum / count;
+  };
+  const Triangles after = improved(s, options);
+  CHECK(audit(after).closed_manifold());
+  CHECK(edges_near(after, 3.8, 4) < 0.7 * edges_near(after, 0, 2));
+  CHECK(edges_near(after, 3.8, 4) == Approx(std::sqrt(8 * 0.005 / 4)).epsilon(0.4));
+  options.finest = 0.9;
+  CHECK(edges_near(improved(s, options), 3.8, 4) > 0.7 * edges_near(improved(s, options), 0, 2));
 }
 
 TEST_CASE("corners and edges of a box survive, whatever length is aimed at") {
