@@ -179,7 +179,7 @@ MeasureOptions read_measure(Keys keys) {
   else
     keys.text("reference", "");
   m.domain = keys.number("domain", Range::at_least(0), m.domain);
-  m.tolerance = keys.number("tolerance", Range::above(0), m.tolerance);
+  m.tolerance = keys.number("tolerance", Range::at_least(0), m.tolerance);
   const Range whole = Range::between(-1e9, 1e9);
   const auto components = static_cast<int>(keys.integer("components", whole, 0));
   const auto euler = static_cast<int>(keys.integer("euler", whole, 0));

@@ -57,7 +57,7 @@ struct OutputOptions {
 struct MeasureOptions {
   std::vector<double> at;                ///< times; empty: the end
   std::string reference = "exact";       ///< "exact", "polyhedron", "none"
-  double tolerance = 1e-3;               ///< of an exact reference, in cells of the tracker
+  double tolerance = 0;                  ///< of an exact reference; 0: a thousandth of a cell
   std::optional<int> components, euler;  ///< none: as the first surface has them
   double domain = 0;                     ///< its side, for the table; 0: none is known
   int until_components = 0;              ///< the run ends where no more are left; 0: at its end

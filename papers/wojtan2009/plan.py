@@ -73,15 +73,15 @@ def thin_sheet(plan, config):
 
 def convergence(plan, config):
     for edge in config["edges"]:
-        finer = setting("bodies.parameters.edge_length", edge / 2)
         plan.add("convergence", f"edge.mesh.{edge}", "enright", MESHES["mesh"],
-                 setting("quality.edge_length", edge), finer, ["--tolerance", "0.0003"])
+                 setting("quality.edge_length", 3.5 * edge), setting("quality.chord_error", 0.9 * edge ** 2),
+                 setting("bodies.parameters.edge_length", edge))
         plan.add("convergence", f"edge.markers.{edge}", "enright", MESHES["markers"],
-                 setting("bodies.parameters.edge_length", edge), ["--tolerance", "0.0003"])
+                 setting("bodies.parameters.edge_length", edge))
     for step in config["steps"]:
         for method in ("mesh", "markers"):
             plan.add("convergence", f"step.{method}.{step}", "enright", MESHES[method],
-                     setting("time.step", step), ["--tolerance", "0.0003"])
+                     setting("time.step", step))
     for turns in config["turns"]:
         plan.add("convergence", f"turn.markers.{turns}", "zalesak", MESHES["markers"],
                  setting("time.step", 628 / turns))

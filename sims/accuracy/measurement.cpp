@@ -142,7 +142,8 @@ class Work {
     const std::string& reference = scene_.measure.reference;
     cells.emplace_back("reference", reference);
     if (reference == "exact" || reference == "polyhedron") {
-      const double tolerance = scene_.measure.tolerance * scene_.tracker.cell_size;
+      const double tolerance =
+          scene_.measure.tolerance > 0 ? scene_.measure.tolerance : 1e-3 * scene_.tracker.cell_size;
       const Truth truth = truth_at(scene_, s.time, {reference, tolerance, options_.references});
       add(cells, compare(s.surface, truth, options_.compare));
       add(cells, compare_markers(s.surface, start, exact_carry(scene_, s.time, 1e-6 * tolerance)));

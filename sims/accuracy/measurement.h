@@ -12,7 +12,7 @@ struct MeasurementOptions {
   SceneChanges changes;
   std::vector<double> at;            ///< times; empty: the scene's own, or its end
   std::string reference;             ///< "exact", "polyhedron", "none", a mesh; empty: the scene's
-  double tolerance = 0;              ///< of the reference, in cells; 0: the scene's
+  double tolerance = 0;              ///< of the reference, in the scene's unit; 0: the scene's
   std::filesystem::path references;  ///< folder where references are kept; empty: nowhere
   std::filesystem::path surfaces;    ///< folder for the measured surfaces; empty: none is kept
   std::string name;                  ///< of the surfaces' files, before the time

@@ -111,8 +111,9 @@ void add_reference_options(CLI::App& command, MeasurementOptions& m) {
                   "start mesh so carried; none; or a mesh file. Default: the scene's")
       ->type_name("KIND|FILE");
   command
-      .add_option("--tolerance", m.tolerance,
-                  "Of the reference's chords, in cells; default: the scene's, or 0.001")
+      .add_option(
+          "--tolerance", m.tolerance,
+          "Of the reference's chords, a length; default: the scene's, or a thousandth of a cell")
       ->check(CLI::PositiveNumber);
   command
       .add_option("--references", m.references, "Folder where references are kept for later runs")

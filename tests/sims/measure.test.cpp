@@ -19,7 +19,7 @@ const char* const kTurning =
     "[[bodies]]\nshape = \"sphere\"\nparameters = { frequency = 8, radius = 0.5, x = 1 }\n"
     "[motion]\nkind = \"rotation\"\nrate = 6.283185307179586\n"
     "[tracker]\ncell_size = 0.2\n[quality]\nedge_length = 0.12\n"
-    "[time]\nstep = 0.05\nend = 1\n[measure]\nat = [0.5, 1]\ndomain = 4\ntolerance = 0.05\n";
+    "[time]\nstep = 0.05\nend = 1\n[measure]\nat = [0.5, 1]\ndomain = 4\ntolerance = 0.01\n";
 
 Said measured(const Folder& folder, const std::string& more) {
   return suture_program("measure " + folder.name("scene.toml") + " --csv " +
