@@ -102,13 +102,14 @@ class Measured {
       now_.steps += 1;
       if (mesh) count();
       const double reached = steps_->time() + 1e-9 * scene_.time.step;
-      const bool over = mesh && grown_together();
+      const bool gone = mesh && steps_->vanished(), over = gone || (mesh && grown_together());
       while (next < times_.size() && (reached >= times_[next] || i == steps || over)) {
         snap();
         ++next;
       }
       tell(i, steps, mesh);
-      if (over || (mesh && steps_->vanished())) break;
+      if (gone) result_.failure = fmt::format("nothing was left at t = {:g}", steps_->time());
+      if (over) break;
     }
   }
 
