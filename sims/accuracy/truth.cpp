@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "kernel/errors.h"
@@ -60,6 +61,13 @@ std::optional<ExactSurface> kept(const fs::path& mesh, const fs::path& note,
   return e;
 }
 
+/// Whether everything is back where it was: no vertex of the coarse mesh has moved by more than a
+/// hundredth of the tolerance. Then the exact surface is the start shape, which costs no flow.
+bool all_is_back(const ExactShape& shape, const Carry& carry, double tolerance) {
+  return std::all_of(shape.mesh.positions.begin(), shape.mesh.positions.end(),
+                     [&](const Point& p) { return (carry(p) - p).norm() <= 0.01 * tolerance; });
+}
+
 }  // namespace
 
 Truth truth_at(const Scene& scene, double time, const TruthOptions& options) {
@@ -74,8 +82,9 @@ Truth truth_at(const Scene& scene, double time, const TruthOptions& options) {
       truth.exact = std::move(*e);
       return truth;
     }
-  truth.exact = exact_flow(shape, exact_carry(scene, time, kCarryError * options.tolerance),
-                           {.tolerance = options.tolerance});
+  Carry carry = exact_carry(scene, time, kCarryError * options.tolerance);
+  if (all_is_back(shape, carry, options.tolerance)) carry = [](const Point& p) { return p; };
+  truth.exact = exact_flow(shape, carry, {.tolerance = options.tolerance});
   if (options.folder.empty()) return truth;
   std::error_code error;
   fs::create_directories(options.folder, error);
