@@ -12,7 +12,7 @@ Index3 NodeBox::node(std::size_t at) const {
 }
 
 NodeBox node_box(const Box& cells, int margin) {
-  constexpr double kMostNodes = 0x1p31, kLargestIndex = 0x1p30;
+  constexpr double kMostNodes = 0x1p28, kLargestIndex = 0x1p30;
   NodeBox box;
   double nodes = 1;
   for (int a = 0; a < 3; ++a) {
@@ -21,7 +21,7 @@ NodeBox node_box(const Box& cells, int margin) {
     if (!(std::abs(low) < kLargestIndex && std::abs(high) < kLargestIndex && nodes < kMostNodes))
       throw InvalidInput("level set: its box would reach from " + number(low) + " to " +
                          number(high) + " cells along axis " + std::to_string(a) +
-                         ", more nodes than 2^31 in all; take larger cells or smaller steps");
+                         ", more nodes than 2^28 in all; take larger cells or smaller steps");
     box.low[a] = static_cast<int>(low);
     box.size[a] = static_cast<int>(high - low) + 1;
   }

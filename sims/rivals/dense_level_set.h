@@ -34,7 +34,7 @@ struct NodeBox {
 };
 
 /// The nodes from floor(low) − margin to ceil(high) + margin, in cells.
-/// \throw InvalidInput if they are more than 2³¹, or their indices would not fit
+/// \throw InvalidInput if they are more than 2²⁸, or their indices would not fit
 NodeBox node_box(const Box& cells, int margin);
 
 /// Points are in cells from the grid's origin, and so are distances; negative is inside. On the

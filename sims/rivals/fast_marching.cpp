@@ -43,6 +43,29 @@ double closest_point(const DenseLevelSet& set, std::size_t n, double plane,
   return plane;
 }
 
+/// |φ| at the nodes next to the surface, scaled to the distances there: by the ratio of the sums
+/// over a node and the mean of its neighbours across the surface. Their errors, which have opposite
+/// signs where the surface is curved, cancel, and zeros between nodes with one ratio stay where
+/// they are.
+std::vector<double> scaled(const DenseLevelSet& set, const std::vector<std::size_t>& nodes,
+                           const std::vector<double>& distances) {
+  std::vector<double> result;
+  for (const std::size_t n : nodes) {
+    double distance = 0, phi = 0;
+    int across = 0;
+    for (int a = 0; a < 3; ++a)
+      for (const std::size_t m : {n - set.box.stride(a), n + set.box.stride(a)})
+        if ((set.phi[m] < 0) != (set.phi[n] < 0)) {
+          distance += distances[m];
+          phi += std::abs(set.phi[m]);
+          ++across;
+        }
+    const double here = std::abs(set.phi[n]);
+    result.push_back(here * (distances[n] + distance / across) / (here + phi / across));
+  }
+  return result;
+}
+
 /// The distance d with Σ max(0, d − a)² = 1 over the axes' nearer neighbours, of which those
 /// that are no nearer than d do not count. \pre one is finite
 double upwind(std::array<double, 3> neighbours) {
@@ -121,9 +144,12 @@ class March {
 
 void march_distances(DenseLevelSet& set, const ClosestPoint& closest) {
   const std::vector<std::size_t> nodes = interface_nodes(set);
-  March march(set);
+  std::vector<double> distances(set.phi.size(), kFar);
   for (const std::size_t n : nodes)
-    march.start(n, closest_point(set, n, distance_to_plane(set, n), closest));
+    distances[n] = closest_point(set, n, distance_to_plane(set, n), closest);
+  const std::vector<double> starts = scaled(set, nodes, distances);
+  March march(set);
+  for (std::size_t i = 0; i < nodes.size(); ++i) march.start(nodes[i], starts[i]);
   march.run(nodes);
   for (std::size_t n = 0; n < set.phi.size(); ++n) {
     const double d = std::min(march.distance(n), set.width);

@@ -16,8 +16,9 @@ struct ClosestPoint {
 
 /// Distances to the zero set of φ, at all nodes within set.width; ± width elsewhere; no node
 /// changes sides. Next to the surface: to the plane through the zeros on the node's edges, or
-/// better the end of closest-point steps. Beyond: |∇φ| = 1 by upwind differences, from the nearest
-/// outwards.
+/// better the end of closest-point steps; then φ is scaled to these. That moves a ball of radius r
+/// by 0.024/r cells once, and hardly when repeated; taken as they are, by 0.09/r inwards at first
+/// and on and on. Beyond: |∇φ| = 1 by upwind differences, from the nearest outwards.
 void march_distances(DenseLevelSet& set, const ClosestPoint& closest = {});
 
 }  // namespace suture

@@ -15,7 +15,7 @@ struct GridFrame {
 };
 
 /// Exact signed distances at all nodes nearer than `width` cells to the surface, ± width elsewhere.
-/// \pre the surface is closed and not empty \throw InvalidInput if the box has more than 2³¹ nodes
+/// \pre the surface is closed and not empty \throw InvalidInput if the box has more than 2²⁸ nodes
 DenseLevelSet dense_level_set(const Triangles& surface, const GridFrame& frame, double width);
 
 /// The zero surface, closed, manifold and oriented outwards, in the scene's unit; empty if there is

@@ -46,7 +46,7 @@ std::optional<Marker> attract(Marker seed, const DenseLevelSet& set, const Marke
         now = there;
         continue;
       }
-      // Half the way, and on from there even if it is not in the band
+      // Half the way then, and on from there wherever it is, as in PhysBAM.
       seed.position = from + 0.5 * way;
       now = depth();
     }

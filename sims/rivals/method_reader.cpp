@@ -64,6 +64,8 @@ void read(Keys& keys, ParticleLevelSetOptions& o) {
   o.attraction_steps = integer(keys, "attraction_steps", counts(), o.attraction_steps);
   o.reinitialise_every = integer(keys, "reinitialise_every", counts(), o.reinitialise_every);
   o.reseed_every = integer(keys, "reseed_every", counts(), o.reseed_every);
+  o.relaxation_steps =
+      integer(keys, "relaxation_steps", Range::between(1, 1000), o.relaxation_steps);
   o.seed = static_cast<std::uint64_t>(keys.integer("seed", Range::at_least(0), 1));
 }
 

@@ -10,6 +10,7 @@
 #include "sims/rivals/level_set_surface.h"
 #include "sims/rivals/marker_correction.h"
 #include "sims/rivals/semi_lagrangian.h"
+#include "sims/rivals/weno_level_set.h"
 
 namespace suture {
 namespace {
@@ -33,6 +34,8 @@ void check(const ParticleLevelSetOptions& o) {
   require(o.escape >= 0 && std::isfinite(o.escape), "escape is in radii; give 0 or more");
   require(o.attraction_steps >= 0 && o.reinitialise_every >= 0 && o.reseed_every >= 0,
           "attraction_steps, reinitialise_every and reseed_every count steps; give 0 or more");
+  require(o.relaxation_steps >= 1 && o.relaxation_steps <= 1000,
+          "relaxation_steps counts steps; give 1 to 1000");
 }
 
 MarkerRules rules_of(const ParticleLevelSetOptions& o) {
@@ -60,7 +63,9 @@ class ParticleLevelSet : public SurfaceTracker {
     timed(particles_seconds_,
           [&] { carry(markers, velocity, time_, dt, options_.particle_order); });
     timed(level_set_seconds_, [&] {
-      set_ = semi_lagrangian(set_, velocity, {time_, dt, options_.trace_order, around(markers)});
+      set_ = weno() ? weno_advected(set_, velocity, {time_, dt, around(markers)})
+                    : semi_lagrangian(set_, velocity,
+                                      {time_, dt, options_.trace_order, around(markers)});
     });
     markers_ = std::move(markers);
     surface_.reset();
@@ -114,6 +119,8 @@ class ParticleLevelSet : public SurfaceTracker {
     seconds += process_seconds() - start;
   }
 
+  bool weno() const { return options_.version == ParticleLevelSetVersion::weno; }
+
   static Box around(const std::vector<Marker>& markers) {
     Box box{Point::Constant(1), Point::Constant(0)};
     if (!markers.empty()) box = {markers[0].position, markers[0].position};
@@ -129,7 +136,12 @@ class ParticleLevelSet : public SurfaceTracker {
           [&] { escaped_ = static_cast<double>(correct(set_, markers_, rules_)); });
   }
   void reinitialise() {
-    timed(reinitialise_seconds_, [&] { march_distances(set_); });
+    timed(reinitialise_seconds_, [&] {
+      if (weno())
+        set_ = weno_relaxed(set_, options_.relaxation_steps, around(markers_));
+      else
+        march_distances(set_);
+    });
     correct_by_markers();
     distances_ = true;
   }

@@ -21,9 +21,10 @@ struct ParticleLevelSetOptions {
   double cell_size = 0;          ///< edge of a grid cell, in the scene's unit; must be set
   Point origin = Point::Zero();  ///< a node of the grid, so that the grid stays put in space
   ParticleLevelSetVersion version = ParticleLevelSetVersion::semi_lagrangian;
-  int trace_order = 2;           ///< Runge–Kutta order, 2 to 4, of φ's paths back [2005: second]
-  int particle_order = 2;        ///< and of the particles' paths [2005: second; 2002: third]
-  int particles_per_cell = 64;   ///< of each sign, 4 a direction [2002, §3.1]; 0: level set alone
+  int trace_order =
+      2;  ///< semi_lagrangian: Runge–Kutta order, 2 to 4, of paths back [2005: second]
+  int particle_order = 2;        ///< of the particles' paths [2005: second; 2002: third]
+  int particles_per_cell = 64;   ///< of both signs, as PhysBAM counts [2002, §3.1]; 0: φ alone
   double band = 3;               ///< cells to each side of the surface that hold particles [§3.1]
   double smallest_radius = 0.1;  ///< cells [§3.1]
   double largest_radius = 0.5;   ///< cells [§3.1]
@@ -31,12 +32,14 @@ struct ParticleLevelSetOptions {
   int attraction_steps = 15;  ///< halvings of a step until a seed is given up [§3.1]
   int reinitialise_every = 1;  ///< steps; 0: never [2002 and 2005: each step]
   int reseed_every = 20;       ///< steps; 0: never [2002, §3.5]
+  int relaxation_steps = 3;    ///< weno: of one re-initialisation, each a cell long [OpenVDB's]
   std::uint64_t seed = 1;      ///< of the random places and levels of the particles
 };
 
-/// A tracker that starts as `surface`. Needs memory for four bytes a node of the bounding box.
-/// \throw InvalidInput unless `surface` is a closed mesh of finite points, the options are in range
-/// and the grid fits its indices; its advect throws it where u is not finite
+/// A tracker that starts as `surface`. Needs some 40 bytes a node of the bounding box, which
+/// particles that have escaped for good can stretch, and 80 a particle. One thread, but for
+/// OpenVDB's part. \throw InvalidInput unless `surface` is a closed mesh of finite points, the
+/// options are in range and the grid fits its indices; its advect throws it where u is not finite
 std::unique_ptr<SurfaceTracker> make_particle_level_set(const Triangles& surface,
                                                         const ParticleLevelSetOptions& options);
 

@@ -91,17 +91,25 @@ TEST_CASE("re-initialisation moves the surface by the square of the cell") {
     march_distances(set);
     const double moved = std::abs(mean_offset(set, radius) - before);
     INFO("radius " << radius << " cells: moved by " << moved << " radii, " << last << " before");
-    CHECK(moved < 0.12 / (radius * radius));  // seen: 0.092, 0.089, 0.088
+    CHECK(moved < 0.03 / (radius * radius));  // seen: 0.024; 0.09 unscaled
     if (last > 0) CHECK(moved < last / 3);
     last = moved;
   }
+}
+
+// Seen: 0.0008 radii in all; 0.020 if φ is not scaled to the distances next to the surface.
+TEST_CASE("re-initialisation again and again leaves a ball where it is") {
+  DenseLevelSet set = ball(10);
+  const double before = mean_offset(set, 10);
+  for (int i = 0; i < 40; ++i) march_distances(set);
+  CHECK(std::abs(mean_offset(set, 10) - before) < 0.0015);
 }
 
 TEST_CASE("a semi-Lagrangian step of whole cells only moves the numbers, however long it is") {
   const DenseLevelSet set = ball(6);
   const VelocityField u = [](const Point&, double) { return Point(20, -3, 0); };
   const DenseLevelSet moved = semi_lagrangian(set, {u, Point::Zero(), 1}, {.time = 0, .dt = 1});
-  CHECK(moved.sample(kOff + Point(20, -3, 0)) == -kWidth);
+  CHECK(moved.sample(kOff + Point(20, -3, 0)) < -4.9);
   double worst = 0;
   for (std::size_t n = 0; n < moved.phi.size(); ++n) {
     const Index3 node = moved.box.node(n);

