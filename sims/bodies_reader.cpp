@@ -67,6 +67,7 @@ Triangles turned(Triangles surface, Keys& keys, const std::string& about, double
 struct Source {
   Triangles surface;
   std::string name;
+  std::map<std::string, double> parameters{};
 };
 
 Source read_source(TomlTable& body, const fs::path& folder, const SceneSources& sources,
@@ -75,7 +76,7 @@ Source read_source(TomlTable& body, const fs::path& folder, const SceneSources& 
   const bool is_mesh = keys.has("mesh"), is_model = keys.has("model"), is_shape = keys.has("shape");
   if (is_mesh + is_model + is_shape != 1)
     keys.refuse("shape", "give one of shape, mesh (a file) or model (a name), and only one");
-  if (is_shape) return {shape("shape", body, sources), keys.text("shape")};
+  if (is_shape) return {shape("shape", body, sources), keys.text("shape"), shape_parameters(body)};
   if (is_mesh) {
     const fs::path file = folder / keys.text("mesh");
     return {sources.read_mesh(file), file.string()};
@@ -102,11 +103,28 @@ Triangles normalised(const Triangles& surface) {
   return scaled(translated(surface, -(box.low + box.high) / 2), 1 / longest);
 }
 
-Triangles placed(Triangles surface, Keys& keys) {
-  if (keys.flag("normalise", false)) surface = normalised(surface);
-  surface = scaled(surface, keys.number("scale", Range::above(0), 1));
-  surface = turned(std::move(surface), keys, "rotate_axis", keys.number("rotate", Range::any(), 0));
-  return translated(surface, keys.vector("translate", Point::Zero()));
+/// Scales, turns and moves the surface; \return what it now is.
+PlacedShape place(Source& source, Keys& keys) {
+  Triangles& surface = source.surface;
+  PlacedShape is;
+  const bool as_made = !keys.flag("normalise", false);
+  if (!as_made) surface = normalised(surface);
+  if (as_made && keys.has("shape") && !keys.flag("repair", false)) {
+    is.shape = source.name;
+    is.parameters = source.parameters;
+  }
+  is.scale = keys.number("scale", Range::above(0), 1);
+  surface = scaled(surface, is.scale);
+  const double degrees = keys.number("rotate", Range::any(), 0);
+  surface = turned(std::move(surface), keys, "rotate_axis", degrees);
+  const Triangles axes{{Point::UnitX(), Point::UnitY(), Point::UnitZ()}, {}};
+  const Triangles turned_axes = turned(axes, keys, "rotate_axis", degrees);
+  for (int i = 0; i < 3; ++i) is.turn.col(i) = turned_axes.positions[i];
+  is.move = keys.vector("translate", Point::Zero());
+  surface = translated(surface, is.move);
+  is.vertices = surface.positions.size();
+  is.triangles = surface.triangles.size();
+  return is;
 }
 
 /// How many of the body there are; with those before, no more than can be held.
@@ -150,14 +168,18 @@ void read_body(TomlTable& body, const fs::path& folder, const SceneSources& sour
   keys.number("fallback_rotate", Range::any(), 0);
   keys.vector("fallback_rotate_axis", Point::UnitZ());
   require_usable(source.surface, body.where + ": " + source.name);
-  source.surface = placed(std::move(source.surface), keys);
+  const PlacedShape is = place(source, keys);
   const Point velocity = keys.vector("velocity", Point::Zero());
   const std::int64_t copies = read_copies(keys, source.surface.triangles.size(),
                                           bodies.surface.triangles.size(), sources.most_triangles);
   const std::vector<Point> places = scattered(keys, copies);
   keys.done();
   std::vector<Triangles> all = {std::move(bodies.surface)};
-  for (const Point& place : places) all.push_back(translated(source.surface, place));
+  for (const Point& at : places) {
+    all.push_back(translated(source.surface, at));
+    bodies.shapes.push_back(is);
+    bodies.shapes.back().move += at;
+  }
   bodies.surface = merged(all);
   for (const Point& p : bodies.surface.positions)
     if (!p.allFinite())

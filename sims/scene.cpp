@@ -171,6 +171,26 @@ void read_pictures(Keys keys, OutputOptions& output) {
   keys.done();
 }
 
+MeasureOptions read_measure(Keys keys) {
+  MeasureOptions m;
+  m.at = keys.list("at", Range::at_least(0));
+  if (keys.has("reference"))
+    m.reference = keys.one_of("reference", {"exact", "polyhedron", "none"});
+  else
+    keys.text("reference", "");
+  m.domain = keys.number("domain", Range::at_least(0), m.domain);
+  m.tolerance = keys.number("tolerance", Range::at_least(0), m.tolerance);
+  const Range whole = Range::between(-1e9, 1e9);
+  const auto components = static_cast<int>(keys.integer("components", whole, 0));
+  const auto euler = static_cast<int>(keys.integer("euler", whole, 0));
+  if (keys.has("components")) m.components = components;
+  if (keys.has("euler")) m.euler = euler;
+  m.until_components =
+      static_cast<int>(keys.integer("until_components", Range::between(0, 1e9), 0));
+  keys.done();
+  return m;
+}
+
 /// One motion, or several that take over from each other at the times `until`.
 std::vector<Phase> read_phases(TomlTable& scene, const std::vector<Point>& velocities) {
   std::vector<TomlTable> tables;
@@ -188,6 +208,7 @@ std::vector<Phase> read_phases(TomlTable& scene, const std::vector<Point>& veloc
     phase.until = last && !one.keys.has("until") ? std::numeric_limits<double>::infinity()
                                                  : one.keys.number("until", Range::above(from));
     from = phase.until;
+    phase.parameters = one.keys.values();
     try {
       phase.motion = make_motion(phase.kind, one.keys, velocities);
     } catch (const InvalidInput& error) {
@@ -200,14 +221,21 @@ std::vector<Phase> read_phases(TomlTable& scene, const std::vector<Point>& veloc
   return phases;
 }
 
-void apply(const SceneChanges& changes, TomlTable& toml) {
-  for (const auto& [name, value] : changes) {
-    const std::size_t dot = name.find('.');
-    const std::string inner = name.substr(0, dot);
-    const TomlTable empty = table(toml, inner);
-    toml.tables.emplace(inner, empty)
-        .first->second.keys.put(name.substr(dot + 1), value, "a change of the scene");
+/// Puts a value at "key" or "table.key" of a table, or of each table of a list of that name.
+void put(TomlTable& table, const std::string& name, const Value& value) {
+  const std::size_t dot = name.find('.');
+  if (dot == std::string::npos) return table.keys.put(name, value, "a change of the scene");
+  const std::string inner = name.substr(0, dot), rest = name.substr(dot + 1);
+  if (const auto list = table.lists.find(inner); list != table.lists.end()) {
+    for (TomlTable& each : list->second) put(each, rest, value);
+    return;
   }
+  const TomlTable empty{Keys({}, inner, table.where), {}, {}, {}, table.where};
+  put(table.tables.emplace(inner, empty).first->second, rest, value);
+}
+
+void apply(const SceneChanges& changes, TomlTable& toml) {
+  for (const auto& [name, value] : changes) put(toml, name, value);
 }
 
 }  // namespace
@@ -234,11 +262,17 @@ Scene read_scene(const std::filesystem::path& file, const SceneChanges& changes)
   return parse_scene(read_file(file), file, {}, changes);
 }
 
+PictureOptions read_picture_options(const std::filesystem::path& file) {
+  OutputOptions output;
+  read_pictures(table(parse_toml(read_file(file), file), "pictures").keys, output);
+  return output.picture;
+}
+
 Scene parse_scene(const std::string& text, const std::filesystem::path& file,
                   const SceneSources& sources, const SceneChanges& changes) {
   TomlTable toml = parse_toml(text, file);
-  toml.allow_tables(
-      {"bodies", "motion", "tracker", "quality", "method", "time", "meshes", "pictures"});
+  toml.allow_tables({"bodies", "motion", "tracker", "quality", "method", "time", "meshes",
+                     "pictures", "measure"});
   apply(changes, toml);
   Scene scene;
   scene.file = file;
@@ -250,9 +284,11 @@ Scene parse_scene(const std::string& text, const std::filesystem::path& file,
   scene.time = read_time(table(toml, "time").keys);
   read_meshes(table(toml, "meshes").keys, scene.output);
   read_pictures(table(toml, "pictures").keys, scene.output);
+  scene.measure = read_measure(table(toml, "measure").keys);
   Bodies bodies = read_bodies(toml, file.parent_path(), sources);
   scene.surface = std::move(bodies.surface);
   scene.notes = std::move(bodies.notes);
+  scene.shapes = std::move(bodies.shapes);
   require_affordable(scene, toml);
   scene.phases = read_phases(toml, bodies.velocities);
   return scene;

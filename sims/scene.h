@@ -4,11 +4,13 @@
 #include <filesystem>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "sims/flows/motion.h"
 #include "sims/output/picture.h"
+#include "sims/placed_shape.h"
 #include "sims/rivals/method.h"
 #include "sims/scene_sources.h"
 #include "surgery/options.h"
@@ -18,6 +20,7 @@ namespace suture {
 /// A motion and the time at which the next one takes over.
 struct Phase {
   std::string kind;
+  std::map<std::string, Value> parameters;  ///< as given
   double until = 0;
   std::unique_ptr<Motion> motion;
 };
@@ -50,19 +53,32 @@ struct OutputOptions {
   PictureOptions picture;
 };
 
+/// What `suture measure` is to look at, and what is right.
+struct MeasureOptions {
+  std::vector<double> at;                ///< times; empty: the end
+  std::string reference = "exact";       ///< "exact", "polyhedron", "none"
+  double tolerance = 0;                  ///< of an exact reference; 0: a thousandth of a cell
+  std::optional<int> components, euler;  ///< none: as the first surface has them
+  double domain = 0;                     ///< its side, for the table; 0: none is known
+  int until_components = 0;              ///< the run ends where no more are left; 0: at its end
+};
+
 struct Scene {
   std::filesystem::path file;
   std::string title;
-  Triangles surface;               ///< the union of the bodies, one after another
-  std::vector<std::string> notes;  ///< what was done to get there: fallbacks and repairs
+  Triangles surface;                ///< the union of the bodies, one after another
+  std::vector<PlacedShape> shapes;  ///< the bodies themselves
+  std::vector<std::string> notes;   ///< what was done to get there: fallbacks and repairs
   std::vector<Phase> phases;
   TrackerOptions tracker;
   MethodOptions method;
   TimeOptions time;
   OutputOptions output;
+  MeasureOptions measure;
 };
 
-/// Values in place of a scene file's own, by table and key: "tracker.cell_size".
+/// Values in place of a scene file's own, by table and key: "tracker.cell_size"; of a list of
+/// tables, as "bodies.scatter_seed" or "bodies.parameters.radius", in each of them.
 using SceneChanges = std::map<std::string, Value>;
 
 /// Reads a scene from a TOML file, and its meshes from paths relative to that file. Models are
@@ -71,6 +87,10 @@ using SceneChanges = std::map<std::string, Value>;
 /// \throw InvalidInput with file, line, key and what is allowed, for anything unknown, of a wrong
 /// type, out of range, or missing; and for a body that is not a closed oriented manifold
 Scene read_scene(const std::filesystem::path& file, const SceneChanges& changes = {});
+
+/// The [pictures] table of a scene file; its bodies and the rest are not looked at.
+/// \throw InvalidInput as read_scene
+PictureOptions read_picture_options(const std::filesystem::path& file);
 
 /// The tables [tracker] and [quality], which may hold nothing else. \throw InvalidInput likewise
 TrackerOptions read_tracker(Keys keys);

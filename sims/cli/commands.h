@@ -15,5 +15,7 @@ void add_make(CLI::App& app, int& exit);
 void add_run(CLI::App& app, int& exit);
 void add_fuzz(CLI::App& app, int& exit);
 void add_trade(CLI::App& app, int& exit);
+void add_draw(CLI::App& app, int& exit);
+void add_measure(CLI::App& app, int& exit);
 
 }  // namespace suture

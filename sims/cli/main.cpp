@@ -31,6 +31,8 @@ int run_program(int argc, char** argv) {
     add_run(app, exit);
     add_fuzz(app, exit);
     add_trade(app, exit);
+    add_draw(app, exit);
+    add_measure(app, exit);
     try {
       app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {

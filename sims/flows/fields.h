@@ -27,6 +27,18 @@ struct EnrightParameters {
 };
 VelocityField enright(const EnrightParameters& parameters);
 
+/// Everything moves alike, with this velocity.
+VelocityField translation(const Point& velocity);
+
+/// The single vortex in the unit square, the same at every z: ψ = sin²(πx)·sin²(πy)/π [Rudman 1997;
+/// LeVeque 1996]. It winds what it moves into a spiral; reversed over 8 it is the usual test.
+VelocityField vortex();
+
+/// The field g(t)·u(x, s(t)), g = cos(πt/time) and s = sin(πt/time)·time/π: since s' = g, it is the
+/// flow of u for a time of time/π, reached at time/2, and then the same flow backwards.
+/// \throw InvalidInput unless time is positive
+VelocityField reversed(VelocityField u, double time);
+
 /// The curl of a smooth random vector potential: a sum of plane waves with seeded directions and
 /// phases, faded to nothing at `radius` from `centre` so that what is inside stays inside.
 struct CurlNoiseParameters {

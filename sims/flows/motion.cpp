@@ -43,12 +43,24 @@ MotionPtr make_rest(Keys&, const Velocities&) {
       [](const Triangles& surface, double) { return surface.positions; });
 }
 
+/// A field as a motion; with the key `reversal` all is back in place at that time.
+MotionPtr make_field(Keys& keys, VelocityField field) {
+  const double time = keys.number("reversal", Range::at_least(0), 0);
+  return make_field_motion(time > 0 ? reversed(std::move(field), time) : std::move(field));
+}
+
+MotionPtr make_translation(Keys& keys, const Velocities&) {
+  return make_field(keys, translation(keys.vector("velocity", Point::UnitX())));
+}
+
+MotionPtr make_vortex(Keys& keys, const Velocities&) { return make_field(keys, vortex()); }
+
 MotionPtr make_rotation(Keys& keys, const Velocities&) {
   RotationParameters p;
   p.centre = keys.vector("centre", p.centre);
   p.axis = keys.vector("axis", p.axis);
   p.rate = keys.number("rate", Range::any(), p.rate);
-  return make_field_motion(rotation(p));
+  return make_field(keys, rotation(p));
 }
 
 MotionPtr make_enright(Keys& keys, const Velocities&) {
@@ -69,7 +81,7 @@ MotionPtr make_curl_noise(Keys& keys, const Velocities&) {
   p.period = keys.number("period", Range::at_least(0), p.period);
   p.centre = keys.vector("centre", p.centre);
   p.radius = keys.number("radius", Range::at_least(0), p.radius);
-  return make_field_motion(curl_noise(p));
+  return make_field(keys, curl_noise(p));
 }
 
 MotionPtr make_stretch(Keys& keys, const Velocities&) {
@@ -78,7 +90,7 @@ MotionPtr make_stretch(Keys& keys, const Velocities&) {
   p.axis = keys.vector("axis", p.axis);
   p.rate = keys.number("rate", Range::any(), p.rate);
   p.width = keys.number("width", Range::at_least(0), p.width);
-  return make_field_motion(stretch(p));
+  return make_field(keys, stretch(p));
 }
 
 MotionPtr make_fold(Keys& keys, const Velocities&) {
@@ -89,7 +101,7 @@ MotionPtr make_fold(Keys& keys, const Velocities&) {
   p.rate = keys.number("rate", Range::any(), p.rate);
   p.amplitude = keys.number("amplitude", Range::any(), p.amplitude);
   p.wavelength = keys.number("wavelength", Range::above(0), p.wavelength);
-  return make_field_motion(fold(p));
+  return make_field(keys, fold(p));
 }
 
 MotionPtr make_normal_flow(Keys& keys, const Velocities&) {
@@ -113,15 +125,17 @@ struct Maker {
   const char* name;
   MotionPtr (*make)(Keys&, const Velocities&);
 };
-constexpr std::array<Maker, 9> kMakers = {{{"bodies", make_bodies},
-                                           {"curl_noise", make_curl_noise},
-                                           {"enright", make_enright},
-                                           {"fold", make_fold},
-                                           {"mean_curvature", make_mean_curvature},
-                                           {"normal_flow", make_normal_flow},
-                                           {"rest", make_rest},
-                                           {"rotation", make_rotation},
-                                           {"stretch", make_stretch}}};
+constexpr std::array<Maker, 11> kMakers = {{{"bodies", make_bodies},
+                                            {"curl_noise", make_curl_noise},
+                                            {"enright", make_enright},
+                                            {"fold", make_fold},
+                                            {"mean_curvature", make_mean_curvature},
+                                            {"normal_flow", make_normal_flow},
+                                            {"rest", make_rest},
+                                            {"rotation", make_rotation},
+                                            {"stretch", make_stretch},
+                                            {"translation", make_translation},
+                                            {"vortex", make_vortex}}};
 
 }  // namespace
 

@@ -18,7 +18,7 @@ class Motion {
   /// Moves the surface from tracker.time() to tracker.time() + dt.
   virtual void advance(Tracker& tracker, double dt) = 0;
 
-  /// The velocity field that it is, which carries any surface's points the same way, or null.
+  /// The velocity field that it is, which carries any points the same way; null if it is none.
   virtual const VelocityField* field() const { return nullptr; }
 
   /// Told of each remodel and improvement: the new surface, and where each old vertex went.

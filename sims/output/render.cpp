@@ -13,6 +13,7 @@
 #include <vtkClipPolyData.h>
 #include <vtkFloatArray.h>
 #include <vtkGenericOpenGLRenderWindow.h>
+#include <vtkImageAppend.h>
 #include <vtkImageData.h>
 #include <vtkImageResize.h>
 #include <vtkLight.h>
@@ -28,6 +29,8 @@
 #include <vtkRenderStepsPass.h>
 #include <vtkRenderer.h>
 #include <vtkSSAOPass.h>
+#include <vtkTextActor.h>
+#include <vtkTextProperty.h>
 #include <vtkUnsignedCharArray.h>
 #include <vtkWindowToImageFilter.h>
 #include <Eigen/Geometry>
@@ -261,6 +264,56 @@ void check(const Triangles& surface, const TriangleColours& colours,
     throw InvalidInput("there must be one colour for each triangle, or none");
 }
 
+void add_label(vtkRenderer* renderer, const std::string& text, int height) {
+  vtkNew<vtkTextActor> label;
+  label->SetInput(text.c_str());
+  vtkTextProperty* look = label->GetTextProperty();
+  look->SetColor(0.15, 0.16, 0.2);
+  look->SetFontSize(std::max(10, height / 24) * kOversampling);
+  look->SetJustificationToCentered();
+  look->SetVerticalJustificationToTop();
+  label->GetPositionCoordinate()->SetCoordinateSystemToNormalizedViewport();
+  label->SetPosition(0.5, 0.97);
+  renderer->AddActor2D(label);
+}
+
+/// One panel's picture. \pre a context is current
+vtkSmartPointer<vtkImageData> draw(const Panel& panel, const PictureOptions& options) {
+  vtkNew<Window> window;
+  window->SetOwnContext(0);
+  window->SetIsCurrent(true);
+  window->SetReadyForRendering(true);
+  window->SetOffScreenRendering(1);
+  window->SetMultiSamples(0);
+  window->SetSize(kOversampling * options.width, kOversampling * options.height);
+  vtkNew<vtkRenderer> renderer;
+  window->AddRenderer(renderer);
+  light_studio(renderer);
+  const Triangles& surface = *panel.surface;
+  if (!surface.triangles.empty()) {
+    auto data = to_poly_data(surface, panel.colours, options.feature_angle);
+    if (options.cut) data = cut(data, *options.cut);
+    add_surface(renderer, data, options);
+    if (options.cut) add_section(renderer, data);
+    const Box box = options.fit ? *options.fit : bounding_box(surface.positions);
+    shade_corners(renderer, aim(renderer, box, options));
+  }
+  if (!panel.label.empty()) add_label(renderer, panel.label, options.height);
+  window->Render();
+  vtkNew<vtkWindowToImageFilter> grab;
+  grab->SetInput(window);
+  grab->ReadFrontBufferOff();
+  grab->ShouldRerenderOff();
+  vtkNew<vtkImageResize> shrink;
+  shrink->SetInputConnection(grab->GetOutputPort());
+  shrink->SetResizeMethodToOutputDimensions();
+  shrink->SetOutputDimensions(options.width, options.height, 1);
+  shrink->Update();
+  vtkSmartPointer<vtkImageData> image = shrink->GetOutput();
+  window->Finalize();
+  return image;
+}
+
 void write_png(vtkImageData* image, const std::filesystem::path& file) {
   vtkNew<vtkPNGWriter> writer;
   writer->SetInputData(image);
@@ -277,37 +330,29 @@ void render_png(const Triangles& surface, const TriangleColours& colours,
                 const PictureOptions& options, const std::filesystem::path& file) {
   check(surface, colours, options);
   const Context context;
-  vtkNew<Window> window;
-  window->SetOwnContext(0);
-  window->SetIsCurrent(true);
-  window->SetReadyForRendering(true);
-  window->SetOffScreenRendering(1);
-  window->SetMultiSamples(0);
-  window->SetSize(kOversampling * options.width, kOversampling * options.height);
-  vtkNew<vtkRenderer> renderer;
-  window->AddRenderer(renderer);
-  light_studio(renderer);
-  const bool empty = surface.triangles.empty();
-  if (!empty) {
-    auto data = to_poly_data(surface, colours, options.feature_angle);
-    if (options.cut) data = cut(data, *options.cut);
-    add_surface(renderer, data, options);
-    if (options.cut) add_section(renderer, data);
-    const Box box = options.fit ? *options.fit : bounding_box(surface.positions);
-    shade_corners(renderer, aim(renderer, box, options));
+  write_png(draw({&surface, colours, ""}, options), file);
+}
+
+void render_panels(const std::vector<Panel>& panels, const PanelOptions& layout,
+                   const PictureOptions& options, const std::filesystem::path& file) {
+  if (panels.empty() || layout.columns < 1)
+    throw InvalidInput("a picture of several surfaces needs one at least, and a column");
+  for (const Panel& panel : panels) check(*panel.surface, panel.colours, options);
+  const Context context;
+  vtkNew<vtkImageAppend> rows;
+  rows->SetAppendAxis(1);
+  const auto columns = static_cast<std::size_t>(layout.columns);
+  const std::size_t count = (panels.size() + columns - 1) / columns;
+  const Triangles nothing;
+  for (std::size_t row = count; row-- > 0;) {  // an image's first row is its lowest
+    vtkNew<vtkImageAppend> across;
+    for (std::size_t i = row * columns; i < (row + 1) * columns; ++i)
+      across->AddInputData(draw(i < panels.size() ? panels[i] : Panel{&nothing, {}, ""}, options));
+    across->Update();
+    rows->AddInputData(across->GetOutput());
   }
-  window->Render();
-  vtkNew<vtkWindowToImageFilter> grab;
-  grab->SetInput(window);
-  grab->ReadFrontBufferOff();
-  grab->ShouldRerenderOff();
-  vtkNew<vtkImageResize> shrink;
-  shrink->SetInputConnection(grab->GetOutputPort());
-  shrink->SetResizeMethodToOutputDimensions();
-  shrink->SetOutputDimensions(options.width, options.height, 1);
-  shrink->Update();
-  write_png(shrink->GetOutput(), file);
-  window->Finalize();
+  rows->Update();
+  write_png(rows->GetOutput(), file);
 }
 
 }  // namespace suture

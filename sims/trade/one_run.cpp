@@ -11,7 +11,7 @@
 #include "kernel/errors.h"
 #include "kernel/measures.h"
 #include "kernel/mesh_io.h"
-#include "kernel/self_intersections.h"
+#include "sims/accuracy/surface_measures.h"
 #include "sims/processes.h"
 #include "sims/stepper.h"
 #include "sims/trade/table.h"
@@ -69,13 +69,12 @@ class Costs : public StepWatcher {
 };
 
 void measure_shape(const Triangles& surface, Figures& f) {
-  constexpr std::size_t most_pairs = 1000000;
-  f.components = static_cast<double>(components(surface).count);
-  f.euler = static_cast<double>(euler_characteristic(surface));
-  const SelfIntersections pairs = self_intersections(surface, {.most = most_pairs});
-  f.intersecting_pairs = static_cast<double>(pairs.pairs.size());
-  f.without_area = static_cast<double>(pairs.without_area);
-  f.least_angle = angles(surface).smallest;
+  const SurfaceMeasures m = measure_surface(surface);
+  f.components = m.components;
+  f.euler = m.euler;
+  f.intersecting_pairs = m.intersecting_pairs;
+  f.without_area = m.without_area;
+  f.least_angle = m.least_angle;
 }
 
 void measure_error(const Triangles& surface, const OneRun& run, Figures& f) {

@@ -8,24 +8,10 @@
 
 #include "kernel/errors.h"
 #include "kernel/files.h"
+#include "sims/csv.h"
 
 namespace suture {
 namespace {
-
-using Cells = std::vector<std::string>;
-
-std::string quoted(const std::string& text) {
-  if (text.find_first_of(",\"\n\r") == std::string::npos) return text;
-  std::string out = "\"";
-  for (const char c : text) out += c == '"' ? std::string("\"\"") : std::string(1, c);
-  return out + "\"";
-}
-
-std::string line(const Cells& cells) {
-  std::string out;
-  for (std::size_t i = 0; i < cells.size(); ++i) out += (i == 0 ? "" : ",") + quoted(cells[i]);
-  return out + "\n";
-}
 
 Cells heading(const Row& row) {
   Cells cells = {"run", "design", "change"};
@@ -49,30 +35,6 @@ Cells cells_of(const Row& row) {
   cells.push_back(std::to_string(row.repeats));
   cells.push_back(row.study);
   return cells;
-}
-
-/// The cells of each line; a cell in quotes may hold commas, line ends and doubled quotes.
-std::vector<Cells> split(const std::string& text) {
-  std::vector<Cells> lines;
-  Cells cells(1);
-  bool inside = false;
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    const char c = text[i];
-    if (inside && c == '"' && i + 1 < text.size() && text[i + 1] == '"') {
-      cells.back() += text[++i];
-    } else if (c == '"') {
-      inside = !inside;
-    } else if (!inside && c == ',') {
-      cells.emplace_back();
-    } else if (!inside && c == '\n') {
-      lines.push_back(std::move(cells));
-      cells = Cells(1);
-    } else {
-      cells.back() += c;
-    }
-  }
-  if (cells.size() > 1 || !cells[0].empty()) lines.push_back(std::move(cells));
-  return lines;
 }
 
 Row row_from(const Cells& head, const Cells& cells) {
@@ -100,13 +62,13 @@ Row row_from(const Cells& head, const Cells& cells) {
 
 std::string to_csv(const std::vector<Row>& rows) {
   if (rows.empty()) return "";
-  std::string out = line(heading(rows.front()));
-  for (const Row& row : rows) out += line(cells_of(row));
+  std::string out = csv_line(heading(rows.front()));
+  for (const Row& row : rows) out += csv_line(cells_of(row));
   return out;
 }
 
 std::vector<Row> read_csv(const std::filesystem::path& file) {
-  const std::vector<Cells> lines = split(read_file(file));
+  const std::vector<Cells> lines = csv_lines(read_file(file));
   std::vector<Row> rows;
   if (lines.empty()) return rows;
   Row like;

@@ -56,6 +56,14 @@ double largest_distance(const std::vector<Point>& a, const std::vector<Point>& b
   return largest;
 }
 
+/// One point through a field by so many steps of RK4.
+Point carried_by(const VelocityField& u, const Point& start, double from, double to, int steps) {
+  std::vector<Point> p = {start};
+  const double dt = (to - from) / steps;
+  for (int i = 0; i < steps; ++i) p = advected(p, u, from + i * dt, dt);
+  return p[0];
+}
+
 double mean_radius(const std::vector<Point>& positions) {
   double sum = 0;
   for (const Point& p : positions) sum += p.norm();
@@ -78,6 +86,8 @@ TEST_CASE("every velocity field is free of divergence") {
   CHECK(relative_divergence(curl_noise({.seed = 3, .wavelength = 0.7, .period = 2}), -1, 1) < 1e-6);
   CHECK(relative_divergence(curl_noise({.seed = 3, .wavelength = 0.7, .radius = 1.5}), -1, 1) <
         1e-6);
+  CHECK(relative_divergence(vortex(), 0, 1) < 1e-6);
+  CHECK(relative_divergence(reversed(vortex(), 2), 0, 1) < 1e-6);
   CHECK(relative_divergence(stretch({.axis = Point(1, 2, 3)}), -1, 1) < 1e-6);
   CHECK(relative_divergence(stretch({.axis = Point(1, 2, 3), .width = 0.4}), -1, 1) < 1e-6);
   CHECK(relative_divergence(fold({.axis = Point(1, 1, 0), .up = Point(-1, 1, 0)}), -1, 1) < 1e-6);
@@ -116,6 +126,17 @@ TEST_CASE("one revolution of Zalesak's rotation brings every point back") {
   std::vector<Point> markers = start;
   for (int step = 0; step < 628; ++step) markers = advected(markers, u, step, 1);
   CHECK(largest_distance(markers, start) < 1e-5);
+}
+
+TEST_CASE("any flow is undone at the end of its reversal, and was itself until the middle") {
+  const VelocityField there = vortex(), both = reversed(vortex(), 2);
+  const Point start(0.5, 0.75, 0.3);
+  const double pi = std::numbers::pi;
+  const Point middle = carried_by(both, start, 0, 1, 200);
+  CHECK((middle - carried_by(there, start, 0, 2 / pi, 200)).norm() < 1e-8);
+  CHECK((middle - start).norm() > 0.1);
+  CHECK((carried_by(both, start, 0, 2, 400) - start).norm() < 1e-8);
+  CHECK_THROWS_AS(reversed(vortex(), 0), InvalidInput);
 }
 
 TEST_CASE("curl noise is the same for the same seed and another for another") {

@@ -21,14 +21,10 @@ struct Picture {
   const std::array<int, 3>& at(int x, int y) const { return pixels[y * width + x]; }
 };
 
-Picture drawn(const Triangles& surface, const TriangleColours& colours,
-              const PictureOptions& options) {
-  const Folder folder;
-  render_png(surface, colours, options, folder / "picture.png");
-  REQUIRE(folder.files() == 1);
+Picture read_picture(const std::string& file) {
   png_image image{};
   image.version = PNG_IMAGE_VERSION;
-  REQUIRE(png_image_begin_read_from_file(&image, folder.name("picture.png").c_str()) != 0);
+  REQUIRE(png_image_begin_read_from_file(&image, file.c_str()) != 0);
   image.format = PNG_FORMAT_RGB;
   std::vector<unsigned char> bytes(PNG_IMAGE_SIZE(image));
   REQUIRE(png_image_finish_read(&image, nullptr, bytes.data(), 0, nullptr) != 0);
@@ -36,6 +32,14 @@ Picture drawn(const Triangles& surface, const TriangleColours& colours,
   for (std::size_t i = 0; i < bytes.size(); i += 3)
     picture.pixels.push_back({bytes[i], bytes[i + 1], bytes[i + 2]});
   return picture;
+}
+
+Picture drawn(const Triangles& surface, const TriangleColours& colours,
+              const PictureOptions& options) {
+  const Folder folder;
+  render_png(surface, colours, options, folder / "picture.png");
+  REQUIRE(folder.files() == 1);
+  return read_picture(folder.name("picture.png"));
 }
 
 int darkness(const std::array<int, 3>& p) { return 255 - (p[0] + p[1] + p[2]) / 3; }
@@ -101,6 +105,47 @@ TEST_CASE("a cut shows the inside, and edges can be drawn") {
   CHECK(whole.pixels != wire.pixels);
   const std::array<int, 3> inside = cut.at(100, 75);
   CHECK(inside[0] - inside[2] > 40);
+}
+
+TEST_CASE("panels of the same surface are drawn alike, in rows, with their labels") {
+  const Folder folder;
+  const Triangles ball = subdivided_ball(3, 1);
+  const std::vector<Panel> panels = {{&ball}, {&ball}, {&ball, {}, "A label"}};
+  render_panels(panels, {2}, small(), folder / "panels.png");
+  const Picture p = read_picture(folder.name("panels.png"));
+  REQUIRE(p.width == 400);
+  REQUIRE(p.height == 300);
+  int differing = 0, labelled = 0;
+  for (int y = 0; y < 150; ++y)
+    for (int x = 0; x < 200; ++x) {
+      differing += p.at(x, y) != p.at(x + 200, y);
+      labelled += p.at(x, y) != p.at(x, y + 150);
+    }
+  CHECK(differing == 0);
+  CHECK(labelled > 30);                  // the letters
+  CHECK(darkness(p.at(100, 75)) > 30);   // a ball
+  CHECK(darkness(p.at(300, 225)) < 30);  // nothing where there is no panel
+  CHECK_THROWS_AS(render_panels({}, {2}, small(), folder / "none.png"), InvalidInput);
+}
+
+TEST_CASE("suture draw puts meshes side by side with a cut, and takes a scene's camera") {
+  const Folder folder;
+  REQUIRE(suture_program("make sphere edge_length=0.3 -o " + folder.name("a.ply")).exit == 0);
+  folder.write("scene.toml", "[pictures]\nwidth = 64\nheight = 48\ndirection = [0, 1, 0]\n");
+  const Said said = suture_program(
+      "draw " + folder.name("a.ply") + " " + folder.name("a.ply") + " --scene " +
+      folder.name("scene.toml") +
+      " --label one --label two --cut-point 0 0 0 --cut-normal 0,-1,0 -o " + folder.name("p.png"));
+  INFO(said.text);
+  REQUIRE(said.exit == 0);
+  const Picture p = read_picture(folder.name("p.png"));
+  CHECK(p.width == 128);
+  CHECK(p.height == 48);
+  const auto& inside = p.at(32, 26);
+  CHECK(inside[0] > inside[2] + 60);  // the section's colour
+  CHECK(suture_program("draw " + folder.name("a.ply") + " --label a --label b -o " +
+                       folder.name("q.png"))
+            .exit == 2);
 }
 
 TEST_CASE("options that make no picture are refused") {

@@ -1,0 +1,94 @@
+// Every measure of a surface against the exact one.
+#include "sims/accuracy/compare.h"
+
+#include <algorithm>
+
+#include "kernel/distance.h"
+#include "kernel/measures.h"
+#include "kernel/nearest_triangle.h"
+#include "kernel/symmetric_difference.h"
+#include "sims/trade/row.h"
+
+namespace suture {
+namespace {
+
+constexpr double kUnknown = kUnknownFigure;
+
+struct Distances {
+  double mean = kUnknown, max = kUnknown;
+};
+
+/// Along the creases, by length: each piece by its middle, and its ends for the largest.
+Distances crease_distances(const ExactSurface& exact, const NearestTriangle& nearest) {
+  double sum = 0, whole = 0, most = 0;
+  for (const auto& [a, b] : exact.creases) {
+    const Point &p = exact.surface.positions[a], &q = exact.surface.positions[b];
+    const double length = (q - p).norm(), d = nearest.distance((p + q) / 2);
+    sum += length * d;
+    whole += length;
+    most = std::max({most, d, nearest.distance(p), nearest.distance(q)});
+  }
+  return whole > 0 ? Distances{sum / whole, most} : Distances{};
+}
+
+Distances corner_distances(const ExactSurface& exact, const NearestTriangle& nearest) {
+  if (exact.corners.empty()) return {};
+  double sum = 0, most = 0;
+  for (const std::uint32_t v : exact.corners) {
+    const double d = nearest.distance(exact.surface.positions[v]);
+    sum += d;
+    most = std::max(most, d);
+  }
+  return {sum / static_cast<double>(exact.corners.size()), most};
+}
+
+}  // namespace
+
+Record compare(const Triangles& surface, const Truth& truth, const CompareOptions& options) {
+  const ExactSurface& exact = truth.exact;
+  TwoWayDistance d;
+  d.forth = d.back = {kUnknown, kUnknown, kUnknown};
+  Distances creases, corners;
+  SymmetricDifference difference{.volume = truth.volume};
+  const double v = surface.triangles.empty() ? 0 : volume(surface);
+  if (!surface.triangles.empty()) {
+    d = surface_distance(surface, exact.surface, {.samples = options.samples});
+    const NearestTriangle nearest(surface);
+    creases = crease_distances(exact, nearest);
+    corners = corner_distances(exact, nearest);
+    difference = symmetric_difference(surface, exact.surface, {.lines = options.lines});
+  }
+  return {{"volume_error", cell_of(v / truth.volume - 1)},
+          {"symmetric_difference", cell_of(difference.volume / truth.volume)},
+          {"symmetric_difference_error", cell_of(difference.error / truth.volume)},
+          {"line_spacing", cell_of(difference.spacing)},
+          {"mean_distance", cell_of(d.mean())},
+          {"max_distance", cell_of(d.hausdorff())},
+          {"mean_distance_forth", cell_of(d.forth.mean)},
+          {"mean_distance_back", cell_of(d.back.mean)},
+          {"max_distance_forth", cell_of(d.forth.max)},
+          {"max_distance_back", cell_of(d.back.max)},
+          {"sample_spacing", cell_of(d.back.spacing)},
+          {"crease_mean", cell_of(creases.mean)},
+          {"crease_max", cell_of(creases.max)},
+          {"corner_mean", cell_of(corners.mean)},
+          {"corner_max", cell_of(corners.max)},
+          {"reference_tolerance", cell_of(exact.tolerance)},
+          {"reference_mean_error", cell_of(exact.mean_error)},
+          {"reference_max_error", cell_of(exact.max_error)}};
+}
+
+Record compare_markers(const Triangles& surface, const Triangles& start, const Carry& carry) {
+  double sum = kUnknown, most = kUnknown;
+  if (surface.triangles == start.triangles) {
+    sum = most = 0;
+    for (std::size_t i = 0; i < start.positions.size(); ++i) {
+      const double d = (carry(start.positions[i]) - surface.positions[i]).norm();
+      sum += d / static_cast<double>(start.positions.size());
+      most = std::max(most, d);
+    }
+  }
+  return {{"marker_mean", cell_of(sum)}, {"marker_max", cell_of(most)}};
+}
+
+}  // namespace suture

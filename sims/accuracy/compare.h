@@ -1,0 +1,24 @@
+// Every measure of a surface against the exact one.
+#pragma once
+
+#include "sims/accuracy/record.h"
+#include "sims/accuracy/truth.h"
+
+namespace suture {
+
+struct CompareOptions {
+  std::size_t samples = 100000;  ///< on each surface, for distances
+  int lines = 256;               ///< along the longest side, for the symmetric difference
+};
+
+/// Volume error and symmetric difference as parts of the exact volume, the latter with its standard
+/// error; mean and largest distance both ways ("forth" is from the surface to the exact one);
+/// how far points of the exact creases and corners are from the surface. Lengths are in the scene's
+/// unit. An empty surface has a volume error of −1 and no distances.
+Record compare(const Triangles& surface, const Truth& truth, const CompareOptions& options = {});
+
+/// How far vertices are from where the start's would exactly be; empty cells unless the surface
+/// still has the start's triangles, so that its vertices are markers.
+Record compare_markers(const Triangles& surface, const Triangles& start, const Carry& carry);
+
+}  // namespace suture

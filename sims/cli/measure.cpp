@@ -1,0 +1,157 @@
+// suture measure: one method on one scene, and all that can be measured of it.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "kernel/errors.h"
+#include "sims/accuracy/measurement.h"
+#include "sims/cli/commands.h"
+#include "sims/cli/inputs.h"
+#include "sims/cli/progress_bar.h"
+
+namespace suture {
+namespace {
+
+struct Settings {
+  MeasurementOptions measurement;
+  std::string method;
+  std::vector<std::string> changes;
+  std::filesystem::path csv;
+  bool afresh = false;
+};
+
+/// A word of the command line as a scene file would have it: true, 3, 0.5, [1, 2], or text.
+Value value_of(const std::string& text) {
+  if (text == "true" || text == "false") return text == "true";
+  char* end = nullptr;
+  const double number = std::strtod(text.c_str(), &end);
+  if (!text.empty() && *end == '\0') {
+    const bool whole = text.find_first_not_of("+-0123456789") == std::string::npos;
+    if (whole) return static_cast<std::int64_t>(std::strtoll(text.c_str(), nullptr, 10));
+    return number;
+  }
+  if (text.size() < 2 || text.front() != '[' || text.back() != ']') return text;
+  std::vector<double> list;
+  for (const std::string& part : CLI::detail::split(text.substr(1, text.size() - 2), ','))
+    list.push_back(std::strtod(part.c_str(), nullptr));
+  return list;
+}
+
+SceneChanges read_changes(const Settings& s) {
+  SceneChanges changes;
+  for (const std::string& change : s.changes) {
+    const std::size_t equals = change.find('='), dot = change.find('.');
+    if (equals == std::string::npos || dot == std::string::npos || dot > equals)
+      throw InvalidInput("--set " + change + ": write table.key=value, as tracker.cell_size=0.02");
+    changes[change.substr(0, equals)] = value_of(change.substr(equals + 1));
+  }
+  if (!s.method.empty()) changes["method.kind"] = s.method;
+  return changes;
+}
+
+/// The command that makes these rows: what decides them, and not where they go.
+std::string command_of(const Settings& s) {
+  const MeasurementOptions& m = s.measurement;
+  std::string text = "suture measure " + m.scene.generic_string();
+  if (!s.method.empty()) text += " --method " + s.method;
+  std::vector<std::string> changes = s.changes;
+  std::sort(changes.begin(), changes.end());
+  for (const std::string& change : changes) text += " --set " + change;
+  if (!m.at.empty()) text += fmt::format(" --at {}", fmt::join(m.at, ","));
+  if (!m.reference.empty()) text += " --reference " + m.reference;
+  if (m.tolerance > 0) text += fmt::format(" --tolerance {}", m.tolerance);
+  const CompareOptions usual;
+  if (m.compare.samples != usual.samples) text += fmt::format(" --samples {}", m.compare.samples);
+  if (m.compare.lines != usual.lines) text += fmt::format(" --lines {}", m.compare.lines);
+  return text;
+}
+
+void print_rows(const std::vector<Record>& rows) {
+  for (const Record& row : rows)
+    for (const auto& [column, text] : row)
+      if (!text.empty()) fmt::print("{:<36}{}\n", column, text);
+}
+
+bool made_before(const Settings& s, const std::string& command) {
+  if (s.afresh || s.csv.empty()) return false;
+  for (const Record& row : read_records(s.csv))
+    if (text_in(row, "command") == command) return true;
+  return false;
+}
+
+int run_measure(Settings s) {
+  MeasurementOptions& m = s.measurement;
+  m.changes = read_changes(s);
+  const std::string command = command_of(s);
+  if (!s.csv.empty()) require_folder_of(s.csv);
+  if (made_before(s, command)) {
+    fmt::print("{}: the rows of this command are there; --afresh makes them again\n",
+               s.csv.string());
+    return kDone;
+  }
+  if (!m.surfaces.empty()) std::filesystem::create_directories(m.surfaces);
+  if (m.name.empty()) m.name = m.scene.stem().string() + (s.method.empty() ? "" : "." + s.method);
+  std::vector<Record> rows;
+  {
+    ProgressBar bar;
+    rows = measure(m, command, &bar);
+  }
+  if (!s.csv.empty()) append_records(s.csv, rows, "command");
+  print_rows(rows);
+  const bool sound = std::all_of(rows.begin(), rows.end(), [](const Record& row) {
+    return text_in(row, "outcome") == "done";
+  });
+  return sound ? kDone : kNo;
+}
+
+void add_reference_options(CLI::App& command, MeasurementOptions& m) {
+  command
+      .add_option("--reference", m.reference,
+                  "What is exact: exact, the shape itself carried by the flow; polyhedron, the "
+                  "start mesh so carried; none; or a mesh file. Default: the scene's")
+      ->type_name("KIND|FILE");
+  command
+      .add_option(
+          "--tolerance", m.tolerance,
+          "Of the reference's chords, a length; default: the scene's, or a thousandth of a cell")
+      ->check(CLI::PositiveNumber);
+  command
+      .add_option("--references", m.references, "Folder where references are kept for later runs")
+      ->type_name("DIR");
+  command.add_option("--samples", m.compare.samples, "On each surface, for distances")
+      ->check(CLI::Range(100, 100000000));
+  command
+      .add_option("--lines", m.compare.lines,
+                  "Along the longest side, for the symmetric difference")
+      ->check(CLI::Range(4, 10000));
+}
+
+}  // namespace
+
+void add_measure(CLI::App& app, int& exit) {
+  auto s = std::make_shared<Settings>();
+  MeasurementOptions& m = s->measurement;
+  CLI::App* command =
+      app.add_subcommand("measure", "Run a scene by a method and measure it against what is exact");
+  command->add_option("scene", m.scene, "Scene file")->required()->type_name("SCENE.toml");
+  command
+      ->add_option("--method", s->method, "Instead of the scene's: mesh, markers, level_set, ...")
+      ->type_name("KIND");
+  command->add_option("--set", s->changes, "Instead of what the scene has: table.key=value")
+      ->type_name("T.K=V")
+      ->allow_extra_args(false);
+  command->add_option("--at", m.at, "Times to measure at; default: the scene's, or its end")
+      ->delimiter(',')
+      ->type_name("T,T");
+  command->add_option("--csv", s->csv, "Table to which the rows are added")->type_name("FILE");
+  command->add_option("--surfaces", m.surfaces, "Folder for the measured surfaces")
+      ->type_name("DIR");
+  command->add_option("--name", m.name, "Of the surfaces' files; default: scene and method");
+  command->add_flag("--afresh", s->afresh, "Make rows that the table has already once more");
+  command->add_option("--limit-seconds", m.limit_seconds, "CPU seconds after which it has failed")
+      ->check(CLI::Range(1.0, 1e9));
+  add_reference_options(*command, m);
+  command->callback([s, &exit] { exit = run_measure(*s); });
+}
+
+}  // namespace suture
