@@ -4,6 +4,8 @@ METHODS = {  # the rivals as their authors' papers and libraries have them
     "level_set": ["--method", "level_set"],
     "level_set_mac_cormack": ["--method", "level_set", "--set", "method.advection=mac_cormack"],
     "particle_level_set": ["--method", "particle_level_set"],
+    "particle_level_set_weno": ["--method", "particle_level_set", "--set", "method.version=weno",
+                                "--set", "method.particle_order=3"],
     "semi_lagrangian_contouring": ["--method", "semi_lagrangian_contouring"],
 }
 MESHES = {"mesh": ["--method", "mesh"], "mesh_without_topology": ["--method", "mesh_without_topology"],
@@ -113,4 +115,7 @@ def plan_of(config):
     plan = Plan()
     for part in (rivals, meshes, thin_sheet, convergence, topology, sequences):
         part(plan, config)
+    for run in plan.runs.values():  # where references need not be as fine as the scenes ask
+        if run["scene"] in config.get("tolerances", {}):
+            run["arguments"] += setting("measure.tolerance", config["tolerances"][run["scene"]])
     return plan.runs

@@ -19,7 +19,7 @@ set key outside below center horizontal maxcols 3 font ',9'
 """
 COLOURS = {"mesh": "#c44e2f", "markers": "#404048", "mesh_without_topology": "#e39a6f",
            "level_set": "#1f6fb4", "level_set_mac_cormack": "#5aa9d6",
-           "particle_level_set": "#2a8c4a", "semi_lagrangian_contouring": "#8a5bb0"}
+           "particle_level_set": "#2a8c4a", "particle_level_set_weno": "#86c98f", "semi_lagrangian_contouring": "#8a5bb0"}
 # What is varied, the column it is in, the error that is plotted, what the axes say.
 PANELS = (("cell", "cell_size", "mean_distance", "cell size", "mean distance at T"),
           ("edge", "edge", "mean_distance", "edge length", "mean distance at T/2"),
