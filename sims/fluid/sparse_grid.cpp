@@ -1,0 +1,125 @@
+// The physics grid: cells in blocks of 8³, of which only those near the liquid exist.
+#include "sims/fluid/sparse_grid.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "kernel/errors.h"
+
+namespace suture {
+namespace {
+
+constexpr int kFurthest = 1 << 29;
+constexpr std::int64_t kLargestTable = 1 << 20;  // blocks; beyond it a hash costs less
+
+/// Rounds down, also below zero.
+int block_of(int i) { return i >= 0 ? i / SparseGrid::kSide : -((7 - i) / SparseGrid::kSide); }
+
+std::uint64_t key(const Index3& b) {
+  constexpr std::int64_t shift = 1 << 20;
+  std::uint64_t k = 0;
+  for (const int i : b) k = (k << 21) | (static_cast<std::uint64_t>(i + shift) & 0x1fffff);
+  return k;
+}
+
+void sort_unique(std::vector<Index3>& cells) {
+  std::sort(cells.begin(), cells.end());
+  cells.erase(std::unique(cells.begin(), cells.end()), cells.end());
+}
+
+}  // namespace
+
+SparseGrid::SparseGrid(const Point& origin, double h, const std::vector<Index3>& cells)
+    : h_(h), origin_(origin) {
+  if (!(h > 0) || !std::isfinite(h) || !origin.allFinite())
+    throw InvalidInput("the physics grid needs cells of a finite positive size");
+  for (const Index3& c : cells) {
+    for (const int i : c)
+      if (std::abs(i) >= kFurthest)
+        throw InvalidInput("the liquid is 2^29 cells or further from the physics grid's origin");
+    const Index3 b{block_of(c[0]), block_of(c[1]), block_of(c[2])};
+    if (blocks_.empty() || blocks_.back() != b) blocks_.push_back(b);
+  }
+  sort_unique(blocks_);
+  if (blocks_.empty()) return;
+  Index3 high = low_ = blocks_.front();
+  for (const Index3& b : blocks_)
+    for (int a = 0; a < 3; ++a) {
+      low_[a] = std::min(low_[a], b[a]);
+      high[a] = std::max(high[a], b[a]);
+    }
+  double table = 1;
+  for (int a = 0; a < 3; ++a) {
+    extent_[a] = high[a] - low_[a] + 1;
+    table *= extent_[a];
+  }
+  if (table <= kLargestTable) table_.assign(static_cast<std::size_t>(table), kNone);
+  for (std::uint32_t n = 0; n < blocks_.size(); ++n) {
+    const Index3& b = blocks_[n];
+    if (table_.empty())
+      map_[key(b)] = n;
+    else
+      table_[static_cast<std::size_t>(((b[0] - low_[0]) * extent_[1] + b[1] - low_[1]) *
+                                          extent_[2] + b[2] - low_[2])] = n;
+  }
+  next_.resize(blocks_.size());
+  for (std::size_t n = 0; n < blocks_.size(); ++n)
+    for (int a = 0; a < 3; ++a)
+      for (const int side : {0, 1}) {
+        Index3 b = blocks_[n];
+        b[a] += side == 0 ? -1 : 1;
+        next_[n][2 * a + side] = block(b);
+      }
+  for (Index3& b : blocks_)
+    for (int& i : b) i *= kSide;
+}
+
+std::uint32_t SparseGrid::block(const Index3& b) const {
+  if (table_.empty()) {
+    const auto at = map_.find(key(b));
+    return at == map_.end() ? kNone : at->second;
+  }
+  Index3 in;
+  for (int a = 0; a < 3; ++a) {
+    in[a] = b[a] - low_[a];
+    if (in[a] < 0 || in[a] >= extent_[a]) return kNone;
+  }
+  return table_[static_cast<std::size_t>((in[0] * extent_[1] + in[1]) * extent_[2] + in[2])];
+}
+
+Slot SparseGrid::find(const Index3& cell) const {
+  const Index3 b{block_of(cell[0]), block_of(cell[1]), block_of(cell[2])};
+  for (const int i : b)
+    if (std::abs(i) >= kFurthest / kSide) return kNoSlot;
+  const std::uint32_t n = block(b);
+  if (n == kNone) return kNoSlot;
+  return n * kCells + static_cast<Slot>((cell[0] - kSide * b[0]) * 64 +
+                                        (cell[1] - kSide * b[1]) * 8 + cell[2] - kSide * b[2]);
+}
+
+Index3 SparseGrid::cell_at(const Point& p) const {
+  Index3 c;
+  for (int a = 0; a < 3; ++a)
+    c[a] = static_cast<int>(
+        std::clamp(std::floor((p[a] - origin_[a]) / h_), -1.0 * kFurthest, 1.0 * kFurthest));
+  return c;
+}
+
+std::vector<Index3> dilated(std::vector<Index3> cells, int width) {
+  for (int a = 2; a >= 0; --a) {  // along one axis after another
+    sort_unique(cells);
+    std::vector<Index3> wider;
+    wider.reserve(cells.size() * 2);
+    for (const Index3& c : cells)
+      for (int d = -width; d <= width; ++d) {
+        Index3 n = c;
+        n[a] += d;
+        wider.push_back(n);
+      }
+    cells = std::move(wider);
+  }
+  sort_unique(cells);
+  return cells;
+}
+
+}  // namespace suture

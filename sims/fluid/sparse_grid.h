@@ -1,0 +1,83 @@
+// The physics grid: cells in blocks of 8³, of which only those near the liquid exist.
+#pragma once
+
+#include <cstdint>
+#include <unordered_map>
+#include <vector>
+
+#include "kernel/lattice.h"
+
+namespace suture {
+
+/// What a solver calls a cell that exists: its place in every array over the grid.
+using Slot = std::size_t;
+inline constexpr Slot kNoSlot = static_cast<Slot>(-1);
+
+/// Cell (i,j,k) reaches from origin + h·(i,j,k) to origin + h·(i+1,j+1,k+1); indices may be
+/// negative. A scene's box may be vast, as memory goes with the blocks that are there.
+class SparseGrid {
+ public:
+  static constexpr int kSide = 8;
+  static constexpr Slot kCells = 512;  ///< of a block
+
+  SparseGrid() = default;
+
+  /// The blocks that hold these cells, sorted, each once.
+  /// \throw InvalidInput if h is not finite and positive, or a cell is 2^29 or further off
+  SparseGrid(const Point& origin, double h, const std::vector<Index3>& cells);
+
+  double h() const { return h_; }
+  const Point& origin() const { return origin_; }
+  Slot size() const { return blocks_.size() * kCells; }  ///< slots
+  /// The lowest cell of each block. Block b has the slots from b·kCells on, x slowest.
+  const std::vector<Index3>& blocks() const { return blocks_; }
+  bool same_cells(const SparseGrid& other) const {
+    return h_ == other.h_ && origin_ == other.origin_ && blocks_ == other.blocks_;
+  }
+
+  Slot find(const Index3& cell) const;  ///< kNoSlot if it does not exist
+  Index3 cell(Slot s) const {
+    const Index3& b = blocks_[s / kCells];
+    const int in = static_cast<int>(s % kCells);
+    return {b[0] + in / 64, b[1] + in / 8 % 8, b[2] + in % 8};
+  }
+  /// The cell next to s along `axis`, `side` being -1 or 1; kNoSlot if it does not exist.
+  Slot neighbour(Slot s, int axis, int side) const {
+    const int stride = axis == 0 ? 64 : axis == 1 ? 8 : 1;
+    const int in = static_cast<int>(s % kCells) / stride % 8;
+    if (side > 0 ? in < 7 : in > 0) return side > 0 ? s + stride : s - stride;
+    const std::uint32_t b = next_[s / kCells][2 * axis + (side > 0 ? 1 : 0)];
+    if (b == kNone) return kNoSlot;
+    const Slot at = b * kCells + s % kCells;
+    return side > 0 ? at - 7 * stride : at + 7 * stride;
+  }
+
+  Index3 cell_at(const Point& p) const;  ///< whether it exists or not
+  Point centre(const Index3& c) const {
+    return origin_ + h_ * Point(c[0] + 0.5, c[1] + 0.5, c[2] + 0.5);
+  }
+  /// The middle of the cell's face across `axis` on its low side.
+  Point face(const Index3& c, int axis) const {
+    Point p = centre(c);
+    p[axis] = origin_[axis] + h_ * c[axis];
+    return p;
+  }
+
+ private:
+  static constexpr std::uint32_t kNone = 0xffffffffu;
+  std::uint32_t block(const Index3& b) const;  // by the block's own indices
+
+  double h_ = 0;
+  Point origin_ = Point::Zero();
+  std::vector<Index3> blocks_;
+  std::vector<std::array<std::uint32_t, 6>> next_;
+  // A table over the blocks' box where that is small, else by hash.
+  Index3 low_{}, extent_{};
+  std::vector<std::uint32_t> table_;
+  std::unordered_map<std::uint64_t, std::uint32_t> map_;
+};
+
+/// All cells within `width` cells of these on each axis, sorted, each once.
+std::vector<Index3> dilated(std::vector<Index3> cells, int width);
+
+}  // namespace suture
