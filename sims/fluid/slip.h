@@ -1,0 +1,20 @@
+// Liquid slides along solids and does not enter them.
+#pragma once
+
+#include "sims/fluid/mac_velocity.h"
+#include "sims/fluid/solids.h"
+
+namespace suture {
+
+/// Gives each known closed face the velocity there without what differs from the solid's across its
+/// surface, so that what is interpolated at a wall moves along it, and freely so [Batty et al.
+/// 2007, §4; Bridson 2015, §5.4]. After extrapolate.
+void constrain(MacVelocity& velocity, const SolidFaces& faces, const Solids& solids, double t);
+
+/// Velocity v of a point p from t to t + dt, changed so that a p outside of the solids does not
+/// enter them, and one inside is outside by then. Only the part across the solid's surface changes.
+/// `length`: that of the scene's detail, e.g. h, over which the solid's normal is taken.
+Point kept_out(const Solids& solids, const Point& p, const Point& v, double t, double dt,
+               double length);
+
+}  // namespace suture

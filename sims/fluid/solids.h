@@ -1,0 +1,79 @@
+// Solid walls and bodies, still or moving as the scene says, and what they leave open of a face.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "kernel/lattice.h"
+#include "kernel/triangles.h"
+#include "sims/fluid/sparse_grid.h"
+
+namespace suture {
+
+/// A translation in time: velocity·t + amplitude·sin(2π·t/period).
+struct SolidMotion {
+  Point velocity = Point::Zero();
+  Point amplitude = Point::Zero();
+  double period = 1;  ///< > 0
+
+  Point displacement(double t) const;
+  Point velocity_at(double t) const;
+};
+
+/// One solid: where it is, and how its points move.
+class Solid {
+ public:
+  /// All that is outside of a box. The makers throw InvalidInput where a number is not finite, a
+  /// size not positive, or a period not positive.
+  static Solid container(const Box& inside, const SolidMotion& motion = {});
+  static Solid box(const Box& box, const SolidMotion& motion = {});
+  static Solid ball(const Point& centre, double radius, const SolidMotion& motion = {});
+  /// A closed surface: its distances are computed once on a lattice of this spacing about the
+  /// physics grid's origin, exact there, linear in between, and cut off beyond kSolidBand of it.
+  static Solid mesh(const Triangles& surface, const Point& origin, double h,
+                    const SolidMotion& motion = {});
+
+  /// Signed, in the scene's unit: negative inside the solid.
+  double distance(const Point& p, double t) const;
+  /// Of the solid's material.
+  Point velocity(double t) const { return motion_.velocity_at(t); }
+  std::size_t memory() const;
+
+  struct Shape;
+
+ private:
+  Solid(std::shared_ptr<const Shape> shape, const SolidMotion& motion);
+  std::shared_ptr<const Shape> shape_;
+  SolidMotion motion_;
+};
+
+inline constexpr int kSolidBand = 4;  ///< cells
+
+/// All solids of a scene: their union.
+struct Solids {
+  std::vector<Solid> all;
+
+  bool any() const { return !all.empty(); }
+  /// To the nearest; infinite where there is none.
+  double distance(const Point& p, double t) const;
+  /// Of the solid that is nearest to p, or that p is deepest in.
+  Point velocity(const Point& p, double t) const;
+  /// The unit vector out of the solids at p, by differences over `step`; 0 where D has no slope.
+  Point normal(const Point& p, double t, double step) const;
+};
+
+/// What of each face a solid leaves open; empty arrays: the scene has no solids.
+struct SolidFaces {
+  std::array<std::vector<double>, 3> open, velocity;  ///< open share 0 to 1 of face (axis, slot);
+                                                      ///< the solid's component there
+  bool any() const { return !open[0].empty(); }
+  double open_at(int axis, Slot s) const { return any() ? open[axis][s] : 1; }
+  double velocity_at(int axis, Slot s) const { return any() ? velocity[axis][s] : 0; }
+  std::size_t memory() const;
+};
+
+/// By D at a face's four corners, linear along its sides [Batty et al. 2007, §4]; a corner that is
+/// within rounding of a solid is in it, so that a wall on a plane of the grid closes what is on it.
+SolidFaces faces_of(const Solids& solids, const SparseGrid& grid, double t);
+
+}  // namespace suture
