@@ -6,19 +6,6 @@
 namespace suture {
 namespace {
 
-/// Calls visit(axis, slot) with the faces that one of the two cells beside needs.
-template <class Visit>
-void for_each_carried_face(const Liquid& liquid, Visit visit) {
-  const SparseGrid& grid = *liquid.grid;
-  const double reach = kCarried * grid.h();
-  for (Slot s = 0; s < grid.size(); ++s)
-    for (int axis = 0; axis < 3; ++axis) {
-      const Slot low = grid.neighbour(s, axis, -1);
-      if (liquid.distance[s] < reach || (low != kNoSlot && liquid.distance[low] < reach))
-        visit(axis, s);
-    }
-}
-
 /// Selle et al.'s second pass: half of what going there and back changes is taken off again.
 void correct(MacVelocity& now, const MacVelocity& old, const Liquid& liquid, double dt) {
   const MacVelocity there = now;

@@ -7,28 +7,19 @@
 #include <vector>
 
 #include "sims/fluid/fluid_options.h"
-#include "sims/fluid/liquid_measures.h"
+#include "sims/fluid/module_cost.h"
 #include "sims/rivals/surface_tracker.h"
 
 namespace suture {
 
-/// What one effect has taken so far. What a scene does not name is not in the list.
-struct ModuleCost {
-  std::string name;
-  double seconds = 0;       ///< CPU of this process
-  std::size_t bytes = 0;    ///< of its arrays, the most at any step
-  std::int64_t solves = 0;  ///< linear systems
-  std::int64_t iterations = 0;
-};
-
 /// The last step, for reports.
 struct FluidStep {
   double dt = 0;
-  double cfl = 0;              ///< cells that the fastest liquid crossed
-  std::size_t cells = 0;       ///< of the grid
-  std::size_t liquid = 0;      ///< of these
-  double pressure_residual = 0;
-  double largest_divergence = 0;  ///< times dt; the wanted divergence taken off
+  double cfl = 0;          ///< cells that the fastest liquid crosses in dt
+  std::size_t cells = 0;   ///< of the grid
+  std::size_t liquid = 0;  ///< of these
+  std::size_t drops = 0;   ///< bodies of liquid without a cell centre
+  double residual = 0;     ///< of the projection, as SolveReport's
 };
 
 /// Incompressible liquid under a free surface [Bridson 2015]. The surface is whoever's tracks it;
@@ -42,24 +33,19 @@ class Fluid {
   Fluid(FluidOptions options, Initial initial);
   ~Fluid();
 
-  /// The longest step that the CFL number and the explicit effects allow now, at most `left`; cuts
-  /// `left` into equal steps. \pre left > 0
-  double step_towards(double left) const;
+  /// How many equal steps take the surface through `left`, as the CFL number and the effects that
+  /// are explicit allow. \pre left > 0
+  int steps_in(double left) const;
 
-  /// Brings the velocity forward to the middle of the next step, and moves the surface by dt.
+  /// Brings the velocity forward to the middle of the next dt, then moves the surface through it.
   /// \throw InvalidInput if a velocity is beyond the finite numbers, as SurfaceTracker::advect
   void step(SurfaceTracker& surface, double dt);
 
-  /// For volume control, which is not to undo what topology does: the surface about to be remodelled,
-  /// and as it came out. Do nothing without it.
-  void before_remodel(const Triangles& surface);
-  void after_remodel(const Triangles& surface);
-
-  /// At p now; near the liquid, elsewhere what the nearest liquid goes on with, or nothing.
+  /// At p now: in the liquid and some cells round it; elsewhere 0.
   Point velocity(const Point& p) const;
   double time() const;
   const FluidStep& last() const;
-  LiquidMeasures measures() const;  ///< of the last step
+  /// In the order in which they act; what the scene does not name is not there.
   std::vector<ModuleCost> costs() const;
 
  private:

@@ -2,12 +2,11 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include "sims/fluid/advect_velocity.h"
 #include "sims/fluid/linear_solver.h"
-#include "sims/fluid/solids.h"
-#include "sims/fluid/volume_control.h"
-#include "sims/fluid/viscoelasticity.h"
+#include "sims/fluid/solid_options.h"
 
 namespace suture {
 
@@ -21,13 +20,6 @@ struct FluidOptions {
   int most_steps = 1000;  ///< of a frame; what would take more is run with a larger CFL number
   VelocityAdvection advection = VelocityAdvection::mac_cormack;
   SolverOptions pressure;
-  SolverOptions viscosity_solver{1e-5, 1000};
-
-  std::optional<double> viscosity;  ///< dynamic
-  bool no_slip = true;              ///< where the liquid is viscous and meets a solid
-  std::optional<ViscoelasticityOptions> viscoelasticity;
-  std::optional<double> surface_tension;
-  std::optional<VolumeControlOptions> volume_control;
   std::vector<SolidOptions> solids;
 };
 
