@@ -16,7 +16,7 @@ Fluid::Initial initial_velocity(const Scene& scene) {
     return [all = v.empty() ? Point(Point::Zero()) : v.front()](const Point&) { return all; };
   auto nearest = std::make_shared<NearestTriangle>(scene.surface);
   return [nearest, &scene](const Point& p) {
-    return scene.velocities[scene.surface.triangles[nearest->at(p).triangle][0]];
+    return scene.velocities[scene.surface.triangles[nearest->triangle(p)][0]];
   };
 }
 

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 
+#include "sims/fluid/fluid.h"
 #include "sims/rivals/surface_tracker.h"
 #include "sims/scene.h"
 
@@ -13,8 +14,6 @@ double step_end(const TimeOptions& time, std::int64_t index);
 
 /// The motion of the step that begins at `time`.
 Motion& phase_at(Scene& scene, double time);
-
-class Fluid;
 
 /// A scene's surface on its way, whatever keeps it.
 class Steps {

@@ -6,6 +6,7 @@
 #include "sims/fluid/fluid_options.h"
 #include "sims/scene_sources.h"
 #include "sims/toml_keys.h"
+#include "surgery/options.h"
 
 namespace suture {
 
