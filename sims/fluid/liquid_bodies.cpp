@@ -30,7 +30,8 @@ Triangles triangles_of(const Triangles& surface, const Components& parts, std::u
     if (parts.of_triangle[t] != part) continue;
     const auto next = static_cast<std::uint32_t>(own.positions.size());
     own.triangles.push_back({next, next + 1, next + 2});
-    for (const std::uint32_t v : surface.triangles[t]) own.positions.push_back(surface.positions[v]);
+    for (const std::uint32_t v : surface.triangles[t])
+      own.positions.push_back(surface.positions[v]);
   }
   return own;
 }
@@ -55,7 +56,7 @@ std::vector<Part> measured(const Triangles& surface, const Components& parts) {
 
 /// The part that the cavity `own` is in, or itself.
 std::uint32_t outer_of(std::uint32_t own, std::vector<Part>& all, const Triangles& surface,
-                    const Components& parts) {
+                       const Components& parts) {
   std::uint32_t by_box = own, by_winding = own;
   const Point& p = surface.positions[surface.triangles[all[own].first][0]];
   const auto smaller = [&](std::uint32_t part, std::uint32_t than) {
