@@ -99,7 +99,7 @@ SolidFaces faces_of(const Solids& solids, const SparseGrid& grid, double t) {
     faces.open[a].assign(grid.size(), 1);
     faces.velocity[a].assign(grid.size(), 0);
   }
-  const bool moving = solids.moving();
+  const bool moving = solids.fastest() > 0;
   Nodes nodes;
   for (std::size_t b = 0; b < grid.blocks().size(); ++b) {
     if (!nodes.fill(solids, grid, grid.blocks()[b], t)) continue;

@@ -1,6 +1,7 @@
 // Solid walls and bodies: distances, motions.
 #include "sims/fluid/solids.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -55,9 +56,9 @@ struct MeshShape : Solid::Shape {
   MeshShape(const Triangles& surface, const Point& origin, double h)
       : bounds(bounding_box(surface.positions)), band(kSolidBand * h) {
     const SignedDistance exact(surface);
-    const LiquidCells cells =
-        find_liquid(surface, [&](const Point& p) { return exact.at(p); },
-                    origin - Point::Constant(h / 2), h, kSolidBand);
+    const LiquidCells cells = find_liquid(
+        surface, [&](const Point& p) { return exact.at(p); }, origin - Point::Constant(h / 2), h,
+        kSolidBand);
     nodes = grid_round(cells, kSolidBand);
     values.assign(nodes.size(), band);
     for (Slot s = 0; s < nodes.size(); ++s) {
@@ -121,6 +122,10 @@ Point SolidMotion::velocity_at(double t) const {
   return velocity + amplitude * (frequency * std::cos(frequency * t));
 }
 
+double SolidMotion::fastest() const {
+  return velocity.norm() + amplitude.norm() * (2 * std::numbers::pi / period);
+}
+
 Solid::Solid(std::shared_ptr<const Shape> shape, const SolidMotion& motion)
     : shape_(std::move(shape)), motion_(motion) {
   require(motion.velocity.allFinite() && motion.amplitude.allFinite() &&
@@ -151,15 +156,16 @@ Solid Solid::mesh(const Triangles& surface, const Point& origin, double h,
 }
 
 double Solid::distance(const Point& p, double t) const {
-  return motion_.still() ? shape_->distance(p) : shape_->distance(p - motion_.displacement(t));
+  return motion_.fastest() == 0 ? shape_->distance(p)
+                                : shape_->distance(p - motion_.displacement(t));
 }
 
 std::size_t Solid::memory() const { return shape_->memory(); }
 
-bool Solids::moving() const {
-  for (const Solid& solid : all)
-    if (solid.moves()) return true;
-  return false;
+double Solids::fastest() const {
+  double most = 0;
+  for (const Solid& solid : all) most = std::max(most, solid.fastest());
+  return most;
 }
 
 std::size_t Solids::memory() const {

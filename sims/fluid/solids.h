@@ -16,9 +16,9 @@ struct SolidMotion {
   Point amplitude = Point::Zero();
   double period = 1;  ///< > 0
 
-  bool still() const { return velocity.isZero(0) && amplitude.isZero(0); }
   Point displacement(double t) const;
   Point velocity_at(double t) const;
+  double fastest() const;  ///< no speed is above it
 };
 
 inline constexpr int kSolidBand = 4;  ///< cells
@@ -41,7 +41,7 @@ class Solid {
   double distance(const Point& p, double t) const;
   /// Of the solid's material.
   Point velocity(double t) const { return motion_.velocity_at(t); }
-  bool moves() const { return !motion_.still(); }
+  double fastest() const { return motion_.fastest(); }  ///< no speed is above it
   std::size_t memory() const;
 
   struct Shape;
@@ -57,7 +57,7 @@ struct Solids {
   std::vector<Solid> all;
 
   bool any() const { return !all.empty(); }
-  bool moving() const;
+  double fastest() const;  ///< no speed is above it
   std::size_t memory() const;
   /// To the nearest; infinite where there is none.
   double distance(const Point& p, double t) const;
