@@ -97,7 +97,7 @@ void Fluid::State::carry(SurfaceTracker& surface, double carried_for, double dt)
     const LiquidCells cells =
         find_liquid(surface.surface(), distance, options.origin, options.cell_size);
     auto next = std::make_unique<SparseGrid>(grid_round(cells, band(dt)));
-    liquid = liquid_on(*next, cells, distance, solids, time);
+    liquid = liquid_on(*next, cells, surface.surface(), solids, time);
     last.drops = cells.drop_count;
     old = std::exchange(grid, std::move(next));
   });

@@ -36,11 +36,18 @@ Faces faces_of_cell(const MacVelocity& velocity, const SolidFaces& solids, Slot 
 }
 
 /// What solids leave of a cell. A flat one that is square to an axis leaves the share that it
-/// leaves of the faces along it; one on a plane of the grid closes one face and takes nothing.
+/// leaves of the faces along it; those on planes of the grid close faces and take nothing.
 double open_part(const Faces& faces) {
   double most = 0;
-  for (const auto& open : faces.open) most = std::max(most, (open[0] + open[1]) / 2);
-  return most;
+  bool whole = true, any = false;
+  for (const auto& open : faces.open) {
+    most = std::max(most, (open[0] + open[1]) / 2);
+    for (const double share : open) {
+      whole = whole && (share == 0 || share == 1);
+      any = any || share == 1;
+    }
+  }
+  return whole && any ? 1 : most;
 }
 
 /// The part of a cell that is liquid, and by how much its centre of mass is off the cell's.

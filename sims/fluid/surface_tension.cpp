@@ -21,6 +21,8 @@ using Vector = Eigen::VectorXd;
 /// The largest cotangent that couples vertices, that of 14°: the tracker's improvement leaves no
 /// smaller angle, and what a sliver couples more firmly only takes the solver longer.
 constexpr double kMostCotangent = 4;
+/// × a third of the triangles at a vertex: the least of their area that is its own.
+constexpr double kLeastShare = 0.25;
 /// × h²: the least area of a vertex; one without an area of its own follows its neighbours.
 constexpr double kLeastArea = 1e-9;
 /// Relative; far below what the curvature of a mesh is off by.
@@ -47,12 +49,9 @@ struct Shape {
     return normal.cross(side[k]) / (2 * twice_area);
   }
   double cotangent(int k) const { return -side[(k + 1) % 3].dot(side[(k + 2) % 3]) / twice_area; }
-  /// Corner k's share of the area: of the Voronoi cells where no angle is obtuse, else a half at
-  /// the obtuse corner and a quarter at the others [Meyer et al. 2003, §3.3].
+  /// Of the area what is nearest to corner k: less than nothing beside an obtuse angle.
   double share(int k) const {
     const int i = (k + 1) % 3, j = (k + 2) % 3;
-    if (cotangent(k) < 0) return twice_area / 4;
-    if (cotangent(i) < 0 || cotangent(j) < 0) return twice_area / 8;
     return (side[i].squaredNorm() * cotangent(i) + side[j].squaredNorm() * cotangent(j)) / 8;
   }
 };
@@ -60,14 +59,15 @@ struct Shape {
 /// What triangles give to their vertices, in cells.
 struct Forms {
   std::vector<Point> area_gradient, volume_gradient, solid;  ///< solid: sum of wet normals
-  Vector share;
+  Vector share, third;  ///< of the area: what is nearest to the vertex; a third of each triangle
   std::vector<Eigen::Triplet<double>> coupling;
 
   explicit Forms(std::size_t vertices)
       : area_gradient(vertices, Point::Zero()),
         volume_gradient(area_gradient),
         solid(area_gradient),
-        share(Vector::Zero(static_cast<Eigen::Index>(vertices))) {}
+        share(Vector::Zero(static_cast<Eigen::Index>(vertices))),
+        third(share) {}
 };
 
 void add_triangle(const Shape& shape, const Triangle& t, double spread, Forms& forms) {
@@ -76,6 +76,7 @@ void add_triangle(const Shape& shape, const Triangle& t, double spread, Forms& f
     forms.area_gradient[t[k]] += shape.gradient(k);
     forms.volume_gradient[t[k]] += shape.normal / 6;
     forms.share[t[k]] += shape.share(k);
+    forms.third[t[k]] += shape.twice_area / 6;
     const double weight = spread * 0.5 * std::clamp(shape.cotangent(k), 0.0, kMostCotangent);
     forms.coupling.emplace_back(a, a, weight);
     forms.coupling.emplace_back(b, b, weight);
@@ -158,7 +159,7 @@ std::vector<double> mean_curvature(const Triangles& surface, double h,
   if (surface.positions.empty()) return {};
   Forms forms = forms_of(surface, h, options);
   const Vector right = integrated_curvature(forms);
-  const Vector share = forms.share.cwiseMax(kLeastArea);
+  const Vector share = forms.share.cwiseMax(kLeastShare * forms.third).cwiseMax(kLeastArea);
   Matrix matrix(share.size(), share.size());
   matrix.setFromTriplets(forms.coupling.begin(), forms.coupling.end());
   matrix += Matrix(share.asDiagonal());

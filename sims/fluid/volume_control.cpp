@@ -23,10 +23,45 @@ double gain(const VolumeControlOptions& options) {
 
 /// What the bodies of a group had and should have, together.
 struct Group {
+  bool known = false;               ///< there were such bodies
   double target = 0, integral = 0;  ///< integral: weighted by target
   double volume = 0;                ///< now
-  std::uint32_t largest = kNone;    ///< body now
+  std::uint32_t largest = kNone;    ///< body now; takes what rounding leaves of the target
 };
+
+/// Gives the bodies now the targets of those before. Returns the targets that are left over.
+double hand_on(const std::vector<VolumeControl::Body>& before, const BodyGroups& groups,
+               std::vector<VolumeControl::Body>& now) {
+  std::vector<Group> all(groups.count);
+  for (std::size_t b = 0; b < before.size(); ++b) {
+    Group& group = all[groups.before[b]];
+    group.known = true;
+    group.target += before[b].target;
+    group.integral += before[b].integral * before[b].target;
+  }
+  for (std::uint32_t b = 0; b < now.size(); ++b) {
+    Group& group = all[groups.after[b]];
+    group.volume += now[b].volume;
+    if (group.largest == kNone || now[b].volume > now[group.largest].volume) group.largest = b;
+  }
+  double left_over = 0;
+  std::vector<double> left;
+  for (const Group& group : all) {
+    left.push_back(group.target);
+    if (group.largest == kNone) left_over += group.target;
+  }
+  for (std::uint32_t b = 0; b < now.size(); ++b) {
+    const Group& group = all[groups.after[b]];
+    if (!group.known) continue;
+    if (group.target > 0) now[b].integral = group.integral / group.target;
+    if (b == group.largest) continue;
+    now[b].target = group.volume > 0 ? group.target * (now[b].volume / group.volume) : 0;
+    left[groups.after[b]] -= now[b].target;
+  }
+  for (std::size_t g = 0; g < groups.count; ++g)
+    if (all[g].known && all[g].largest != kNone) now[all[g].largest].target = left[g];
+  return left_over;
+}
 
 }  // namespace
 
@@ -62,42 +97,19 @@ void VolumeControl::before_remodel(const Triangles& surface) {
   remodelling_ = true;
 }
 
-void VolumeControl::after_remodel(const Triangles& surface) {
+void VolumeControl::after_remodel(const Triangles& surface,
+                                  const std::function<Point(const Point&)>& move) {
   if (!remodelling_)
     throw InvalidInput("volume control: after_remodel needs a before_remodel first");
+  if (move)
+    for (Point& p : before_.positions) p = move(p);
   LiquidBodies parts = liquid_bodies(surface);
-  const BodyMeasures now = measure(surface, parts);
   const BodyGroups groups = body_groups(before_, parts_, surface, parts);
-  std::vector<Group> all(groups.count);
-  std::vector<std::uint8_t> known(groups.count, 0);
-  for (std::size_t b = 0; b < bodies_.size(); ++b) {
-    Group& group = all[groups.before[b]];
-    group.target += bodies_[b].target;
-    group.integral += bodies_[b].integral * bodies_[b].target;
-    known[groups.before[b]] = 1;
-  }
-  for (std::uint32_t b = 0; b < parts.count; ++b) {
-    Group& group = all[groups.after[b]];
-    group.volume += now.volume[b];
-    if (group.largest == kNone || now.volume[b] > now.volume[group.largest]) group.largest = b;
-  }
+  const BodyMeasures now = measure(surface, parts);
   std::vector<Body> bodies(parts.count);
-  std::vector<double> left(groups.count);  // for the largest, so that the sum is what it was
-  for (std::size_t g = 0; g < groups.count; ++g) {
-    left[g] = all[g].target;
-    if (all[g].largest == kNone) vanished_ += all[g].target;
-  }
-  for (std::uint32_t b = 0; b < parts.count; ++b) {
-    const std::uint32_t g = groups.after[b];
+  for (std::size_t b = 0; b < parts.count; ++b)
     bodies[b] = {now.volume[b], now.volume[b], now.area[b], 0};
-    if (known[g] == 0) continue;
-    if (all[g].target > 0) bodies[b].integral = all[g].integral / all[g].target;
-    if (b == all[g].largest) continue;
-    bodies[b].target = all[g].volume > 0 ? all[g].target * (now.volume[b] / all[g].volume) : 0;
-    left[g] -= bodies[b].target;
-  }
-  for (std::size_t g = 0; g < groups.count; ++g)
-    if (known[g] != 0 && all[g].largest != kNone) bodies[all[g].largest].target = left[g];
+  vanished_ += hand_on(bodies_, groups, bodies);
   bodies_ = std::move(bodies);
   parts_ = std::move(parts);
   before_ = {};

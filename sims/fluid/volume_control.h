@@ -1,7 +1,7 @@
 // Volume control: each body of liquid is given the divergence that brings back what it has lost.
 #pragma once
 
-#include <cstdint>
+#include <functional>
 #include <vector>
 
 #include "sims/fluid/liquid_bodies.h"
@@ -38,8 +38,10 @@ class VolumeControl {
   void before_remodel(const Triangles& surface);
   /// Each group of bodies that hold the same liquid before and after (body_groups) keeps the sum of
   /// its targets, to rounding, shared out by the volumes that they have now. What comes from
-  /// nothing should have the volume that it has. \throw InvalidInput if no remodel has begun
-  void after_remodel(const Triangles& surface);
+  /// nothing should have the volume that it has. `move`: where a point of the surface before is
+  /// now, if all has moved since. \throw InvalidInput if no remodel has begun
+  void after_remodel(const Triangles& surface,
+                     const std::function<Point(const Point&)>& move = nullptr);
 
   /// The divergence wanted in each cell for a step dt, for ProjectionInput::divergence; none in
   /// bodies smaller than a cell. Adds to the integral parts: once a step, after moved.
