@@ -59,8 +59,8 @@ SparseGrid::SparseGrid(const Point& origin, double h, const std::vector<Index3>&
     if (table_.empty())
       map_[key(b)] = n;
     else
-      table_[static_cast<std::size_t>(((b[0] - low_[0]) * extent_[1] + b[1] - low_[1]) *
-                                          extent_[2] + b[2] - low_[2])] = n;
+      table_[static_cast<std::size_t>(
+          ((b[0] - low_[0]) * extent_[1] + b[1] - low_[1]) * extent_[2] + b[2] - low_[2])] = n;
   }
   next_.resize(blocks_.size());
   for (std::size_t n = 0; n < blocks_.size(); ++n)
