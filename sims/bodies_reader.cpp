@@ -157,26 +157,16 @@ std::vector<Point> scattered(Keys& keys, std::int64_t copies) {
 
 void read_body(TomlTable& body, const fs::path& folder, const SceneSources& sources,
                Bodies& bodies) {
-  body.allow_tables({"parameters"});
   Keys& keys = body.keys;
-  Source source = read_source(body, folder, sources, bodies.notes);
-  if (keys.flag("repair", false)) {
-    for (const std::string& done : repair(source.surface).in_words())
-      bodies.notes.push_back(source.name + ": " + done);
-  }
-  keys.text("fallback", "");  // known, and of no use where the model is there
-  keys.number("fallback_rotate", Range::any(), 0);
-  keys.vector("fallback_rotate_axis", Point::UnitZ());
-  require_usable(source.surface, body.where + ": " + source.name);
-  const PlacedShape is = place(source, keys);
+  const auto [surface, is] = read_placed(body, folder, sources, bodies.notes);
   const Point velocity = keys.vector("velocity", Point::Zero());
-  const std::int64_t copies = read_copies(keys, source.surface.triangles.size(),
+  const std::int64_t copies = read_copies(keys, surface.triangles.size(),
                                           bodies.surface.triangles.size(), sources.most_triangles);
   const std::vector<Point> places = scattered(keys, copies);
   keys.done();
   std::vector<Triangles> all = {std::move(bodies.surface)};
   for (const Point& at : places) {
-    all.push_back(translated(source.surface, at));
+    all.push_back(translated(surface, at));
     bodies.shapes.push_back(is);
     bodies.shapes.back().move += at;
   }
@@ -188,6 +178,23 @@ void read_body(TomlTable& body, const fs::path& folder, const SceneSources& sour
 }
 
 }  // namespace
+
+PlacedSurface read_placed(TomlTable& body, const fs::path& folder, const SceneSources& sources,
+                          std::vector<std::string>& notes) {
+  body.allow_tables({"parameters"});
+  Keys& keys = body.keys;
+  Source source = read_source(body, folder, sources, notes);
+  if (keys.flag("repair", false)) {
+    for (const std::string& done : repair(source.surface).in_words())
+      notes.push_back(source.name + ": " + done);
+  }
+  keys.text("fallback", "");  // known, and of no use where the model is there
+  keys.number("fallback_rotate", Range::any(), 0);
+  keys.vector("fallback_rotate_axis", Point::UnitZ());
+  require_usable(source.surface, body.where + ": " + source.name);
+  const PlacedShape is = place(source, keys);
+  return {std::move(source.surface), is};
+}
 
 Bodies read_bodies(TomlTable& scene, const fs::path& folder, const SceneSources& sources) {
   const auto list = scene.lists.find("bodies");

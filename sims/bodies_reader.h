@@ -16,6 +16,15 @@ struct Bodies {
   std::vector<PlacedShape> shapes;
 };
 
+/// A body, or a solid: where its surface comes from, repaired if asked, placed; reads all keys that
+/// say so and leaves the rest. \throw InvalidInput as read_scene
+struct PlacedSurface {
+  Triangles surface;
+  PlacedShape is;
+};
+PlacedSurface read_placed(TomlTable& body, const std::filesystem::path& folder,
+                          const SceneSources& sources, std::vector<std::string>& notes);
+
 /// Reads [[bodies]]; `folder` is the scene's own, which paths are relative to.
 /// \throw InvalidInput as read_scene
 Bodies read_bodies(TomlTable& scene, const std::filesystem::path& folder,

@@ -2,6 +2,7 @@
 #include "sims/method_stepper.h"
 
 #include "kernel/errors.h"
+#include "sims/fluid_steps.h"
 
 namespace suture {
 
@@ -21,6 +22,10 @@ void MethodStepper::step(std::int64_t index, StepWatcher& watcher) {
 }
 
 std::unique_ptr<Steps> make_steps(Scene& scene, const TrackerOptions& options) {
+  if (scene.fluid) {
+    scene.tracker = options;
+    return std::make_unique<FluidSteps>(scene);
+  }
   if (scene.method.kind == MethodKind::mesh) return std::make_unique<Stepper>(scene, options);
   return std::make_unique<MethodStepper>(scene);
 }

@@ -138,6 +138,7 @@ class Run : public StepWatcher {
     now["step"] = index;
     now["time"] = stepper_->time();
     now["seconds"] = watch_.lap();
+    if (stepper_->fluid() != nullptr) now["fluid"] = to_json(stepper_->fluid()->last());
     const auto parts = now["components"].get<std::size_t>();
     const OutputOptions& output = scene_.output;
     const bool mesh = output.meshes.wants(index, scene_.time) && !stepper_->vanished();
@@ -180,7 +181,8 @@ class Run : public StepWatcher {
         {"merges", s.merges},
         {"splits", s.splits},
         {"failure", failure}};
-    if (!is_mesh()) report_["cost"] = to_json(stepper_->cost());
+    if (stepper_->fluid() != nullptr) report_["modules"] = to_json(stepper_->fluid()->costs());
+    if (!is_mesh() || stepper_->fluid() != nullptr) report_["cost"] = to_json(stepper_->cost());
     write_file(folder_ / "report.json", report_.dump(1) + "\n");
   }
 

@@ -14,6 +14,7 @@
 #include "kernel/shapes.h"
 #include "kernel/transform.h"
 #include "sims/bodies_reader.h"
+#include "sims/fluid/fluid_reader.h"
 #include "sims/option_names.h"
 
 namespace suture {
@@ -268,11 +269,26 @@ PictureOptions read_picture_options(const std::filesystem::path& file) {
   return output.picture;
 }
 
+namespace {
+
+/// What moves the surface: a fluid, or motions.
+void read_movers(TomlTable& toml, const SceneSources& sources, Scene& scene) {
+  scene.fluid = read_fluid(toml, scene.tracker, scene.file.parent_path(), sources, scene.notes);
+  if (!scene.fluid) {
+    scene.phases = read_phases(toml, scene.velocities);
+    return;
+  }
+  if (toml.tables.count("motion") != 0 || toml.lists.count("motion") != 0)
+    toml.keys.refuse("motion", "and [fluid] both move the surface; take one of them out");
+}
+
+}  // namespace
+
 Scene parse_scene(const std::string& text, const std::filesystem::path& file,
                   const SceneSources& sources, const SceneChanges& changes) {
   TomlTable toml = parse_toml(text, file);
   toml.allow_tables({"bodies", "motion", "tracker", "quality", "method", "time", "meshes",
-                     "pictures", "measure"});
+                     "pictures", "measure", "fluid", "solids"});
   apply(changes, toml);
   Scene scene;
   scene.file = file;
@@ -289,8 +305,9 @@ Scene parse_scene(const std::string& text, const std::filesystem::path& file,
   scene.surface = std::move(bodies.surface);
   scene.notes = std::move(bodies.notes);
   scene.shapes = std::move(bodies.shapes);
+  scene.velocities = std::move(bodies.velocities);
   require_affordable(scene, toml);
-  scene.phases = read_phases(toml, bodies.velocities);
+  read_movers(toml, sources, scene);
   return scene;
 }
 

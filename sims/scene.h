@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "sims/flows/motion.h"
+#include "sims/fluid/fluid_options.h"
 #include "sims/output/picture.h"
 #include "sims/placed_shape.h"
 #include "sims/rivals/method.h"
@@ -69,7 +70,9 @@ struct Scene {
   Triangles surface;                ///< the union of the bodies, one after another
   std::vector<PlacedShape> shapes;  ///< the bodies themselves
   std::vector<std::string> notes;   ///< what was done to get there: fallbacks and repairs
-  std::vector<Phase> phases;
+  std::vector<Phase> phases;        ///< empty where a fluid moves the surface
+  std::optional<FluidOptions> fluid;
+  std::vector<Point> velocities;  ///< of the surface's vertices, as their bodies begin
   TrackerOptions tracker;
   MethodOptions method;
   TimeOptions time;

@@ -20,6 +20,10 @@ Motion& phase_at(Scene& scene, double time) {
 
 Stepper::Stepper(Scene& scene, const TrackerOptions& options)
     : scene_(scene), tracker_(scene.surface, options) {
+  if (scene.fluid)
+    throw InvalidInput(scene.file.string() +
+                       ": its surface is moved by a fluid, for which there is nothing exact to "
+                       "compare with; run it by `suture run`");
   if (scene.method.kind != MethodKind::mesh)
     throw InvalidInput(scene.file.string() + ": the method \"" + method_name(scene.method.kind) +
                        "\" is no mesh as the tracker looks after it, which this needs; take the "

@@ -3,19 +3,11 @@
 
 #include <cstdint>
 
+#include "sims/fluid/fluid.h"
 #include "sims/rivals/surface_tracker.h"
 #include "sims/scene.h"
 
 namespace suture {
-
-/// Told of each part of a step as it ends, before the motion hears of the changed surface.
-class StepWatcher {
- public:
-  virtual ~StepWatcher() = default;
-  virtual void moved(double /*dt*/) {}
-  virtual void remodelled(const SurgeryReport& /*report*/) {}
-  virtual void improved(const QualityReport& /*report*/) {}
-};
 
 /// When step `index`, counted from 1, ends.
 double step_end(const TimeOptions& time, std::int64_t index);
@@ -32,7 +24,8 @@ class Steps {
   virtual void step(std::int64_t index, StepWatcher& watcher) = 0;
   virtual const Triangles& surface() const = 0;
   virtual double time() const = 0;
-  virtual TrackerCost cost() const { return {}; }  ///< where the method counts it
+  virtual TrackerCost cost() const { return {}; }         ///< where the method counts it
+  virtual const Fluid* fluid() const { return nullptr; }  ///< that moves it; null: none
   /// Whether nothing is left to move: every part got thinner than a cell and went.
   bool vanished() const { return surface().triangles.empty(); }
 };

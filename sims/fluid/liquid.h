@@ -13,65 +13,66 @@ namespace suture {
 /// Signed distance to the liquid's surface, negative inside; as a SurfaceTracker's.
 using DistanceFunction = std::function<double(const Point&)>;
 
-inline constexpr int kNear = 2;  ///< cells: within so many of the surface D is exact
-inline constexpr int kFar = 3;   ///< cells: what D is said to be further away
+inline constexpr int kNear = 2;  ///< cells: D is exact within so many of the surface
+inline constexpr int kFar = 3;   ///< cells: how far away all else is said to be
 
-/// The liquid's cells before there is a grid. Costs what the surface has of cells, not the volume.
+/// Where the surface crosses the way between the centres of the two cells at a face: the lowest and
+/// the highest place, as parts of the way up.
+struct FaceCrossing {
+  Slot face;
+  double lowest, highest;
+};
+
+/// The liquid before the physics grid is there, by a grid of the blocks near its surface alone.
 struct LiquidCells {
-  /// Cells in a row along the last axis.
-  struct Run {
+  struct Run {  ///< of cells along the last axis
     Index3 first;
     int count;
   };
-  /// Where the surface crosses the way from a cell's centre to that of the next one up an axis:
-  /// the lowest and the highest place, as parts of the way.
-  struct Crossing {
-    Index3 cell;
-    double lowest, highest;
-  };
-  Point origin = Point::Zero();
-  double h = 0;
-  std::vector<Index3> near;      ///< cells whose centre is within kNear cells of a triangle, sorted
-  std::vector<double> distance;  ///< D at their centres
-  std::vector<Run> deep;         ///< all other cells inside, sorted
-  std::array<std::vector<Crossing>, 3> crossings;  ///< by axis, sorted by cell
-  std::vector<Index3> drops;   ///< cells of bodies of liquid that hold no cell centre, sorted
+  SparseGrid grid;
+  std::vector<std::uint8_t> near;                      ///< a slot each: whether D is exact there
+  std::vector<double> distance;                        ///< a slot each, as in Liquid
+  std::vector<Run> deep;                               ///< the cells inside that are not near
+  std::array<std::vector<FaceCrossing>, 3> crossings;  ///< by axis, sorted by face
+  std::vector<Index3> drops;   ///< the cells of bodies that hold no cell's centre
   std::size_t drop_count = 0;  ///< such bodies
 };
 
-/// Asks for D once a near cell; the inside of a big body is filled between near cells.
-/// \throw InvalidInput if h is not finite and positive, or the surface has broken indices, numbers
-/// that are not finite, or lies 2^29 cells or further off
+/// Asks for D once a cell with a triangle within `near` cells, and fills between those: the inside
+/// of a big body costs nothing a cell. A body too small to hold a cell's centre is told of.
+/// \throw InvalidInput if h is not finite and positive, an index is out of range, or a position is
+/// not finite or 2^29 cells or further off
 LiquidCells find_liquid(const Triangles& surface, const DistanceFunction& distance,
-                        const Point& origin, double h);
+                        const Point& origin, double h, int near = kNear);
 
-/// The grid that holds all cells within `band` cells of the liquid on each axis.
+/// A grid with all cells within `band` cells, on each axis, of those inside or met by the surface.
 SparseGrid grid_round(const LiquidCells& cells, int band);
 
 /// Which cells of a grid are liquid.
 struct Liquid {
   const SparseGrid* grid = nullptr;
   /// D at cell centres, a slot each: exact within kNear cells of the surface, ±kFar·h of the right
-  /// sign elsewhere. Where a centre is in a solid D is that of the liquid which the solid bounds,
-  /// continued into it, so that a wall does not look like air.
+  /// sign elsewhere. In walls it is that of the liquid continued into them: see liquid_on.
   std::vector<double> distance;
-  /// Where the surface crosses the way between the centres on both sides of a face: sorted by slot.
-  struct Crossing {
-    Slot face;
-    double lowest, highest;  ///< parts of the way from the cell below to the cell above
-  };
-  std::array<std::vector<Crossing>, 3> crossings;
-  std::vector<Slot> drops;  ///< cells of bodies of liquid too small to hold a cell centre
+  std::array<std::vector<FaceCrossing>, 3> crossings;  ///< by axis, sorted by face
+  std::vector<Slot> drops;  ///< cells of bodies that hold no cell's centre, sorted
 
   bool inside(Slot s) const { return distance[s] < 0; }
-  /// How far the surface is from the centre of the inside one of the two cells at a face towards
-  /// the other one's, as a part of the way, 0 to 1. \pre one is inside and the other is not
+  /// How far from the centre of the cell inside to that of the other the surface is, at a face with
+  /// one of each: from the surface itself, not from two distances, which near a wall are those to
+  /// the wall's side of the liquid. 0 to 1.
   double share(int axis, Slot face) const;
   std::size_t memory() const;
 };
 
-/// \pre the grid is that of `cells` or has the same origin and h; solids as they are at time t
-Liquid liquid_on(const SparseGrid& grid, const LiquidCells& cells, const DistanceFunction& distance,
+/// Air between a wall and liquid is none where it is thinner than this, in cells: it would be a
+/// place without pressure under water.
+inline constexpr double kThinnestAir = 0.25;
+
+/// A cell whose centre is in a solid, or in air as thin as that, is liquid where the plane of the
+/// nearest free triangle says so, or, with none within kNear cells, where the liquid touches the
+/// solid. \pre the grid has the origin and h of `cells`, which are of `surface`
+Liquid liquid_on(const SparseGrid& grid, const LiquidCells& cells, const Triangles& surface = {},
                  const Solids& solids = {}, double t = 0);
 
 }  // namespace suture

@@ -18,7 +18,10 @@ struct SolidMotion {
 
   Point displacement(double t) const;
   Point velocity_at(double t) const;
+  double fastest() const;  ///< no speed is above it
 };
+
+inline constexpr int kSolidBand = 4;  ///< cells
 
 /// One solid: where it is, and how its points move.
 class Solid {
@@ -28,8 +31,9 @@ class Solid {
   static Solid container(const Box& inside, const SolidMotion& motion = {});
   static Solid box(const Box& box, const SolidMotion& motion = {});
   static Solid ball(const Point& centre, double radius, const SolidMotion& motion = {});
-  /// A closed surface: its distances are computed once on a lattice of this spacing about the
-  /// physics grid's origin, exact there, linear in between, and cut off beyond kSolidBand of it.
+  /// A closed surface, by the physics grid it meets: its distances are asked for once, at the
+  /// corners of cells of that origin and h, exact there and linear in between; more than kSolidBand
+  /// cells off they are only at least as large as that.
   static Solid mesh(const Triangles& surface, const Point& origin, double h,
                     const SolidMotion& motion = {});
 
@@ -37,6 +41,7 @@ class Solid {
   double distance(const Point& p, double t) const;
   /// Of the solid's material.
   Point velocity(double t) const { return motion_.velocity_at(t); }
+  double fastest() const { return motion_.fastest(); }  ///< no speed is above it
   std::size_t memory() const;
 
   struct Shape;
@@ -47,13 +52,13 @@ class Solid {
   SolidMotion motion_;
 };
 
-inline constexpr int kSolidBand = 4;  ///< cells
-
 /// All solids of a scene: their union.
 struct Solids {
   std::vector<Solid> all;
 
   bool any() const { return !all.empty(); }
+  double fastest() const;  ///< no speed is above it
+  std::size_t memory() const;
   /// To the nearest; infinite where there is none.
   double distance(const Point& p, double t) const;
   /// Of the solid that is nearest to p, or that p is deepest in.
@@ -72,8 +77,12 @@ struct SolidFaces {
   std::size_t memory() const;
 };
 
-/// By D at a face's four corners, linear along its sides [Batty et al. 2007, §4]; a corner that is
-/// within rounding of a solid is in it, so that a wall on a plane of the grid closes what is on it.
+/// A face that is open less than this is closed: a cell that only such faces join to the others
+/// would have a row so small that the solver's tolerance says nothing about its velocities.
+inline constexpr double kLeastOpen = 0.01;
+
+/// By the distances at a face's four corners, linear along its sides [Batty et al. 2007, §4]. A
+/// corner within rounding of a solid is in it: a wall on a plane of the grid closes what is on it.
 SolidFaces faces_of(const Solids& solids, const SparseGrid& grid, double t);
 
 }  // namespace suture

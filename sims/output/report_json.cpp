@@ -151,6 +151,22 @@ json to_json(const TrackerCost& cost) {
   return {{"seconds", seconds}, {"counts", counts}};
 }
 
+json to_json(const FluidStep& step) {
+  return {{"dt", step.dt},         {"cfl", step.cfl},     {"cells", step.cells},
+          {"liquid", step.liquid}, {"drops", step.drops}, {"residual", step.residual}};
+}
+
+json to_json(const std::vector<ModuleCost>& costs) {
+  json modules = json::array();
+  for (const ModuleCost& c : costs)
+    modules.push_back({{"name", c.name},
+                       {"seconds", c.seconds},
+                       {"bytes", c.bytes},
+                       {"calls", c.calls},
+                       {"iterations", c.iterations}});
+  return modules;
+}
+
 json measured(const Triangles& surface) {
   const EdgeLengths lengths = edge_lengths(surface);
   const Angles corner = angles(surface);

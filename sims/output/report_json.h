@@ -4,6 +4,7 @@
 #include <nlohmann/json_fwd.hpp>
 
 #include "kernel/audit.h"
+#include "sims/fluid/fluid.h"
 #include "sims/rivals/surface_tracker.h"
 #include "surgery/options.h"
 #include "surgery/report.h"
@@ -16,6 +17,8 @@ nlohmann::json to_json(const QualityReport& report);
 nlohmann::json to_json(const Audit& audit);
 nlohmann::json to_json(const TrackerOptions& options);
 nlohmann::json to_json(const TrackerCost& cost);
+nlohmann::json to_json(const FluidStep& step);
+nlohmann::json to_json(const std::vector<ModuleCost>& costs);
 
 /// Counts, volume, area, components, Euler characteristic, angles and edge lengths of a surface.
 nlohmann::json measured(const Triangles& surface);

@@ -46,6 +46,7 @@ class MeshTracker : public SurfaceTracker {
     return distance_->at(p);
   }
 
+  void watch(StepWatcher* watcher) override { watcher_ = watcher; }
   double time() const override { return tracker_.time() + gone_for_; }
 
   TrackerCost cost() const override {
@@ -73,6 +74,7 @@ class MeshTracker : public SurfaceTracker {
     ++remodels_;
     committed_ += report.outcome == Outcome::committed;
     refused_ += report.outcome == Outcome::refused;
+    if (watcher_ != nullptr) watcher_->remodelled(report);
     if (report.outcome != Outcome::committed) return;
     improved_ = false;
     cells_ += static_cast<double>(report.marked.total());
@@ -88,12 +90,14 @@ class MeshTracker : public SurfaceTracker {
     subdivisions_ += static_cast<double>(report.subdivisions);
     collapses_ += static_cast<double>(report.collapses.done);
     flips_ += static_cast<double>(report.flips);
+    if (watcher_ != nullptr) watcher_->improved(report);
   }
 
   Tracker tracker_;
   MeshSchedule schedule_;
   std::optional<SignedDistance> distance_;  ///< of the surface as it is, once it was asked for
   std::int64_t steps_ = 0;
+  StepWatcher* watcher_ = nullptr;
   double gone_for_ = 0;                         ///< time since nothing was left
   bool remodelled_ = false, improved_ = false;  ///< since the last move
   double move_ = 0, remodel_ = 0, improve_ = 0;

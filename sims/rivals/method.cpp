@@ -18,10 +18,17 @@ void require_fields(const Scene& scene) {
                          "\" needs; choose another motion, or a mesh");
 }
 
+/// A fluid's frames end with settle; what happens within them is not the tracker's to know.
+int schedule(const Scene& scene, int every) {
+  return scene.fluid && every > 0 ? kWhenItSettles : every;
+}
+
 }  // namespace
 
 std::unique_ptr<SurfaceTracker> make_surface_tracker(const Scene& scene) {
   const MethodOptions& method = scene.method;
+  const int remodel = schedule(scene, scene.time.remodel_every);
+  const int improve = schedule(scene, scene.time.improve_every);
   if (!method.is_mesh()) require_fields(scene);
   switch (method.kind) {
     case MethodKind::level_set:
@@ -33,12 +40,11 @@ std::unique_ptr<SurfaceTracker> make_surface_tracker(const Scene& scene) {
     case MethodKind::markers:
       return make_mesh_tracker(scene.surface, scene.tracker, {0, 0});
     case MethodKind::mesh_without_topology:
-      return make_mesh_tracker(scene.surface, scene.tracker, {0, scene.time.improve_every});
+      return make_mesh_tracker(scene.surface, scene.tracker, {0, improve});
     case MethodKind::mesh:
       break;
   }
-  return make_mesh_tracker(scene.surface, scene.tracker,
-                           {scene.time.remodel_every, scene.time.improve_every});
+  return make_mesh_tracker(scene.surface, scene.tracker, {remodel, improve});
 }
 
 }  // namespace suture

@@ -15,6 +15,15 @@ struct TrackerCost {
   std::vector<std::pair<std::string, double>> counts;   ///< cells re-sampled, particles, …
 };
 
+/// Told of each part of a step as it ends, before the motion hears of the changed surface.
+class StepWatcher {
+ public:
+  virtual ~StepWatcher() = default;
+  virtual void moved(double /*dt*/) {}
+  virtual void remodelled(const SurgeryReport& /*report*/) {}
+  virtual void improved(const QualityReport& /*report*/) {}
+};
+
 /// Owns a surface in whatever form it keeps it. Lengths and times are in the scene's unit.
 class SurfaceTracker {
  public:
@@ -35,6 +44,9 @@ class SurfaceTracker {
   /// Signed distance at p, negative inside; methods with a band give ± its width beyond it.
   /// \pre the surface is not empty
   virtual double distance(const Point& p) = 0;
+
+  /// Who is told of remodels and improvements from now on, where the method has these; null: nobody.
+  virtual void watch(StepWatcher* /*watcher*/) {}
 
   virtual double time() const = 0;
   virtual TrackerCost cost() const = 0;

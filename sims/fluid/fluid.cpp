@@ -1,0 +1,182 @@
+// The fluid: velocity on a sparse staggered grid, a client of any surface tracker [§7].
+#include "sims/fluid/fluid.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "kernel/errors.h"
+#include "sims/fluid/pressure.h"
+#include "sims/fluid/slip.h"
+
+namespace suture {
+namespace {
+
+constexpr int kBand = 3;         // cells round the liquid that exist whatever the step
+constexpr int kWidestBand = 40;  // and at most, for steps across many cells
+
+void require(bool holds, const char* what) {
+  if (!holds) throw InvalidInput(std::string("fluid: ") + what);
+}
+
+void check(const FluidOptions& o) {
+  require(o.cell_size > 0 && std::isfinite(o.cell_size), "cell_size must be finite and above 0");
+  require(o.density > 0 && std::isfinite(o.density), "density must be finite and above 0");
+  require(o.gravity.allFinite() && o.origin.allFinite(), "gravity and origin must be finite");
+  require(o.cfl > 0 && std::isfinite(o.cfl), "cfl must be finite and above 0");
+  require(o.most_steps > 0, "most_steps must be 1 or more");
+}
+
+std::size_t memory(const MacVelocity& velocity) {
+  return 3 * velocity.u[0].size() * (sizeof(double) + 1);
+}
+
+/// The velocity that a scene begins with, where the liquid is.
+MacVelocity sampled(const Fluid::Initial& initial, const Liquid& liquid) {
+  MacVelocity velocity(*liquid.grid);
+  for_each_carried_face(liquid, [&](int axis, Slot s) {
+    velocity.u[axis][s] = initial(liquid.grid->face(liquid.grid->cell(s), axis))[axis];
+    velocity.known[axis][s] = 1;
+  });
+  return velocity;
+}
+
+void add_force(MacVelocity& velocity, const Point& change) {
+  for (int a = 0; a < 3; ++a) {
+    if (change[a] == 0) continue;
+    for (Slot s = 0; s < velocity.u[a].size(); ++s)
+      if (velocity.known[a][s] != 0) velocity.u[a][s] += change[a];
+  }
+}
+
+void require_finite(const MacVelocity& velocity) {
+  for (int a = 0; a < 3; ++a)
+    for (Slot s = 0; s < velocity.u[a].size(); ++s)
+      if (velocity.known[a][s] != 0 && !std::isfinite(velocity.u[a][s]))
+        throw InvalidInput(
+            "fluid: a velocity is beyond the finite numbers; take shorter steps (cfl), or a force "
+            "that the scene's unit can hold");
+}
+
+}  // namespace
+
+struct Fluid::State {
+  FluidOptions options;
+  Initial initial;
+  Solids solids;
+  std::unique_ptr<SparseGrid> grid;  ///< what velocity and liquid are on
+  Liquid liquid;
+  MacVelocity velocity;
+  double time = 0, last_dt = 0;
+  FluidStep last;
+  ModuleCosts costs;
+
+  bool started() const { return grid != nullptr; }
+  double fall(double dt) const { return options.gravity.lpNorm<Eigen::Infinity>() * dt; }
+  int band(double dt) const;
+  void carry(SurfaceTracker& surface, double carried_for, double dt);
+  void project_velocity(double dt, const SolidFaces& faces);
+  void move(SurfaceTracker& surface, double dt);
+};
+
+/// Cells round the liquid that the surface and the paths back may come to within a step.
+int Fluid::State::band(double dt) const {
+  const double speed = (started() ? largest_component(velocity) : 0) + fall(dt);
+  const double crossed = std::ceil(speed * dt / options.cell_size);
+  return kBand + static_cast<int>(std::min<double>(crossed, kWidestBand));
+}
+
+/// A grid round the surface as it is now, with the velocity that the liquid brings along.
+void Fluid::State::carry(SurfaceTracker& surface, double carried_for, double dt) {
+  const auto distance = [&](const Point& p) { return surface.distance(p); };
+  costs.timed("grid", [&] {
+    const LiquidCells cells =
+        find_liquid(surface.surface(), distance, options.origin, options.cell_size);
+    auto next = std::make_unique<SparseGrid>(grid_round(cells, band(dt)));
+    liquid = liquid_on(*next, cells, surface.surface(), solids, time);
+    last.drops = cells.drop_count;
+    next.swap(grid);
+    costs.timed("advection", [&] {
+      velocity = next ? carried(velocity, liquid, carried_for, options.advection)
+                      : sampled(initial, liquid);
+    });
+  });
+  costs.holds("grid", liquid.memory());
+  costs.holds("advection", 2 * memory(velocity));
+}
+
+void Fluid::State::project_velocity(double dt, const SolidFaces& faces) {
+  const ProjectionInput input{liquid, faces, options.density, dt};
+  costs.timed("pressure", [&] {
+    const SolveReport solved = project(velocity, input, options.pressure);
+    costs.iterated("pressure", solved.iterations);
+    last.residual = solved.residual;
+  });
+  costs.holds("pressure", grid->size() * (6 * sizeof(double) + 1));
+}
+
+void Fluid::State::move(SurfaceTracker& surface, double dt) {
+  const double h = options.cell_size;
+  const VelocityField field = [&](const Point& p, double) {
+    const Point v = velocity.at(p);
+    return solids.any() ? kept_out(solids, p, v, time, dt, h) : v;
+  };
+  costs.timed("surface", [&] { surface.advect(field, dt); });
+}
+
+Fluid::Fluid(FluidOptions options, Initial initial) : state_(std::make_unique<State>()) {
+  check(options);
+  for (const SolidOptions& s : options.solids)
+    state_->solids.all.push_back(make_solid(s, options.origin, options.cell_size));
+  state_->options = std::move(options);
+  state_->initial = std::move(initial);
+}
+
+Fluid::~Fluid() = default;
+
+int Fluid::steps_in(double left) const {
+  const State& s = *state_;
+  const FluidOptions& o = s.options;
+  const double speed = s.started() ? largest_component(s.velocity) : 0;
+  // What falls with g from this speed crosses cfl cells in the root of g t² + speed t = cfl h.
+  const double reach = o.cfl * o.cell_size, g = s.fall(1);
+  const double longest = 2 * reach / (speed + std::sqrt(speed * speed + 4 * g * reach));
+  const double steps = longest > 0 ? std::ceil(left / longest * (1 - 1e-9)) : o.most_steps;
+  return static_cast<int>(std::clamp<double>(steps, 1, o.most_steps));
+}
+
+void Fluid::step(SurfaceTracker& surface, double dt) {
+  State& s = *state_;
+  if (!(dt > 0) || !std::isfinite(dt)) throw InvalidInput("fluid: a step must be above 0 long");
+  const bool gone = surface.surface().triangles.empty();
+  const double carried_for = 0.5 * (s.last_dt + dt);
+  if (!gone) {
+    s.carry(surface, s.started() ? carried_for : 0, dt);
+    add_force(s.velocity, s.options.gravity * carried_for);
+    SolidFaces faces;
+    if (s.solids.any()) {
+      s.costs.timed("solids", [&] { faces = faces_of(s.solids, *s.grid, s.time + 0.5 * dt); });
+      s.costs.holds("solids", faces.memory());
+    }
+    s.project_velocity(carried_for, faces);
+    s.costs.timed("extrapolation", [&] { extrapolate(s.velocity, s.band(dt)); });
+    if (s.solids.any())
+      s.costs.timed("solids", [&] { constrain(s.velocity, faces, s.solids, s.time + 0.5 * dt); });
+    require_finite(s.velocity);
+    s.last.cells = s.grid->size();
+    s.last.liquid = static_cast<std::size_t>(std::count_if(
+        s.liquid.distance.begin(), s.liquid.distance.end(), [](double d) { return d < 0; }));
+    s.last.cfl = largest_component(s.velocity) * dt / s.options.cell_size;
+  }
+  s.move(surface, dt);
+  s.last.dt = s.last_dt = dt;
+  s.time += dt;
+}
+
+Point Fluid::velocity(const Point& p) const {
+  return state_->started() ? state_->velocity.at(p) : state_->initial(p);
+}
+double Fluid::time() const { return state_->time; }
+const FluidStep& Fluid::last() const { return state_->last; }
+std::vector<ModuleCost> Fluid::costs() const { return state_->costs.all(); }
+
+}  // namespace suture

@@ -1,0 +1,26 @@
+// What a scene may ask of the fluid solver. An effect that it does not name does not exist.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "sims/fluid/advect_velocity.h"
+#include "sims/fluid/linear_solver.h"
+#include "sims/fluid/solid_options.h"
+
+namespace suture {
+
+struct FluidOptions {
+  double cell_size = 0;  ///< of the physics grid; the tracker's lattice and edges are set apart
+  Point origin = Point::Zero();
+  double density = 1000;
+  Point gravity = Point::Zero();
+  /// Cells that the fastest liquid may cross in a step; frames are cut into equal steps.
+  double cfl = 2;
+  int most_steps = 1000;  ///< of a frame; what would take more is run with a larger CFL number
+  VelocityAdvection advection = VelocityAdvection::mac_cormack;
+  SolverOptions pressure;
+  std::vector<SolidOptions> solids;
+};
+
+}  // namespace suture

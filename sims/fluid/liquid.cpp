@@ -1,0 +1,168 @@
+// Which cells of the physics grid are liquid, from the tracked surface.
+#include "sims/fluid/liquid.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "sims/fluid/surface_cells.h"
+
+namespace suture {
+namespace {
+
+constexpr int kSide = SparseGrid::kSide;
+
+/// Gives the cells between near ones the sign of those, row by row along the last axis: no triangle
+/// comes between them.
+void fill_between(LiquidCells& cells) {
+  const std::vector<Index3>& blocks = cells.grid.blocks();
+  const double far = kFar * cells.grid.h();
+  const auto same_row = [&](std::size_t a, std::size_t b) {
+    return blocks[a][0] == blocks[b][0] && blocks[a][1] == blocks[b][1];
+  };
+  for (std::size_t first = 0, last = 0; first < blocks.size(); first = last) {
+    while (last < blocks.size() && same_row(first, last)) ++last;
+    for (int row = 0; row < kSide * kSide; ++row) {
+      bool inside = false;
+      int above = blocks[first][2];  // the first cell that this row has no block for so far
+      for (std::size_t b = first; b < last; ++b) {
+        if (inside && above < blocks[b][2]) {
+          const int x = blocks[b][0] + row / kSide, y = blocks[b][1] + row % kSide;
+          cells.deep.push_back({{x, y, above}, blocks[b][2] - above});
+        }
+        above = blocks[b][2] + kSide;
+        const Slot begin = b * SparseGrid::kCells + static_cast<Slot>(row * kSide);
+        for (Slot s = begin; s < begin + kSide; ++s)
+          if (cells.near[s] != 0)
+            inside = cells.distance[s] < 0;
+          else
+            cells.distance[s] = inside ? -far : far;
+      }
+    }
+  }
+  const auto before = [](const LiquidCells::Run& a, const LiquidCells::Run& b) {
+    return a.first < b.first;
+  };
+  std::sort(cells.deep.begin(), cells.deep.end(), before);
+}
+
+/// The bodies of a surface: parts that share no vertex.
+class Bodies {
+ public:
+  explicit Bodies(const Triangles& surface) : parent_(surface.positions.size()) {
+    std::iota(parent_.begin(), parent_.end(), 0U);
+    for (const Triangle& t : surface.triangles) {
+      parent_[of(t[1])] = of(t[0]);
+      parent_[of(t[2])] = of(t[0]);
+    }
+  }
+  /// A vertex that stands for the body.
+  std::uint32_t of(std::uint32_t v) {
+    while (parent_[v] != v) v = parent_[v] = parent_[parent_[v]];
+    return v;
+  }
+
+ private:
+  std::vector<std::uint32_t> parent_;
+};
+
+template <class Visit>
+void visit_cells(const CellRange& range, Visit visit) {
+  for (int x = range.low[0]; x <= range.high[0]; ++x)
+    for (int y = range.low[1]; y <= range.high[1]; ++y)
+      for (int z = range.low[2]; z <= range.high[2]; ++z) visit(Index3{x, y, z});
+}
+
+/// Bodies of which no triangle has a cell inside next to it hold no cell's centre.
+void find_drops(const Triangles& surface, LiquidCells& cells) {
+  Bodies bodies(surface);
+  std::vector<std::uint8_t> holds(surface.positions.size(), 0);
+  for (const Triangle& triangle : surface.triangles) {
+    std::uint8_t& held = holds[bodies.of(triangle[0])];
+    if (held != 0) continue;
+    visit_cells(cells_round(in_cells(surface, triangle, cells.grid), 1), [&](const Index3& c) {
+      if (const Slot s = cells.grid.find(c); s != kNoSlot && cells.distance[s] < 0) held = 1;
+    });
+  }
+  for (const Triangle& triangle : surface.triangles) {
+    const std::uint32_t body = bodies.of(triangle[0]);
+    if (holds[body] == 1) continue;
+    if (holds[body] == 0) ++cells.drop_count;
+    holds[body] = 2;  // told
+    visit_cells(cells_round(in_cells(surface, triangle, cells.grid), 0.5),
+                [&](const Index3& c) { cells.drops.push_back(c); });
+  }
+  std::sort(cells.drops.begin(), cells.drops.end());
+  cells.drops.erase(std::unique(cells.drops.begin(), cells.drops.end()), cells.drops.end());
+}
+
+}  // namespace
+
+LiquidCells find_liquid(const Triangles& surface, const DistanceFunction& distance,
+                        const Point& origin, double h, int near) {
+  LiquidCells cells;
+  cells.grid = blocks_near(surface, origin, h, near);
+  cells.near = cells_near(surface, cells.grid, near);
+  cells.distance.assign(cells.grid.size(), 0);
+  for (Slot s = 0; s < cells.grid.size(); ++s)
+    if (cells.near[s] != 0) cells.distance[s] = distance(cells.grid.centre(cells.grid.cell(s)));
+  fill_between(cells);
+  for (int a = 0; a < 3; ++a) cells.crossings[a] = crossings_along(surface, cells.grid, a);
+  find_drops(surface, cells);
+  return cells;
+}
+
+SparseGrid grid_round(const LiquidCells& cells, int band) {
+  const SparseGrid& grid = cells.grid;
+  const int reach = (band + kSide - 1) / kSide, width = 2 * reach + 1;
+  std::vector<Index3> blocks;
+  for (std::size_t b = 0; b < grid.blocks().size(); ++b) {
+    // Which of the blocks round this one come within the band of one of its cells.
+    std::vector<std::uint8_t> wanted(static_cast<std::size_t>(width * width * width), 0);
+    for (Slot s = b * SparseGrid::kCells; s < (b + 1) * SparseGrid::kCells; ++s) {
+      const bool surface = cells.near[s] != 0 && std::abs(cells.distance[s]) < grid.h();
+      if (!surface && !(cells.distance[s] < 0)) continue;
+      const int wide = surface ? band : 0;  // far inside, the surface's cells have the band's
+      const auto rest = static_cast<int>(s % SparseGrid::kCells);
+      const Index3 in{rest / 64, rest / 8 % 8, rest % 8};
+      Index3 low, high;  // blocks, from the lowest of those round this one
+      for (int a = 0; a < 3; ++a) {
+        low[a] = (in[a] - wide + reach * kSide) / kSide;
+        high[a] = (in[a] + wide + reach * kSide) / kSide;
+      }
+      visit_cells({low, high}, [&](const Index3& n) {
+        wanted[static_cast<std::size_t>((n[0] * width + n[1]) * width + n[2])] = 1;
+      });
+    }
+    visit_cells({{0, 0, 0}, {width - 1, width - 1, width - 1}}, [&](const Index3& n) {
+      if (wanted[static_cast<std::size_t>((n[0] * width + n[1]) * width + n[2])] == 0) return;
+      Index3 block = grid.blocks()[b];
+      for (int a = 0; a < 3; ++a) block[a] += (n[a] - reach) * kSide;
+      blocks.push_back(block);
+    });
+  }
+  for (const LiquidCells::Run& run : cells.deep)
+    for (int n = 0; n < run.count; n += kSide)
+      blocks.push_back({run.first[0], run.first[1], run.first[2] + n});
+  const std::vector<Index3> drops = dilated(cells.drops, band);
+  blocks.insert(blocks.end(), drops.begin(), drops.end());
+  return {grid.origin(), grid.h(), blocks};
+}
+
+double Liquid::share(int axis, Slot face) const {
+  const Slot below = grid->neighbour(face, axis, -1);
+  const auto at = std::lower_bound(crossings[axis].begin(), crossings[axis].end(), face,
+                                   [](const FaceCrossing& c, Slot s) { return c.face < s; });
+  const bool found = at != crossings[axis].end() && at->face == face;
+  if (inside(below))
+    return found ? at->highest : distance[below] / (distance[below] - distance[face]);
+  return found ? 1 - at->lowest : distance[face] / (distance[face] - distance[below]);
+}
+
+std::size_t Liquid::memory() const {
+  std::size_t bytes = distance.size() * sizeof(double) + drops.size() * sizeof(Slot);
+  for (const auto& along : crossings) bytes += along.size() * sizeof(FaceCrossing);
+  return bytes;
+}
+
+}  // namespace suture

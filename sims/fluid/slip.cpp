@@ -1,0 +1,76 @@
+// Liquid slides along solids and does not enter them.
+#include "sims/fluid/slip.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace suture {
+namespace {
+
+/// Differences for a normal are taken over this part of a length: short beside what a solid's shape
+/// changes over, long beside rounding.
+constexpr double kNormalStep = 1e-3;
+
+/// A face deeper in a solid than this, in cells, takes the solid's own velocity: no liquid is near.
+constexpr double kDeepest = 3;
+
+/// A corner takes a push out of each of its sides, and one more for rounding.
+constexpr int kMostPushes = 4;
+
+/// The parts of a path: a vertex crosses at most half the scene's detail between two looks.
+constexpr double kParts = 2;
+constexpr int kMostParts = 64;
+
+Point across(const Point& v, const Point& normal) { return normal * v.dot(normal); }
+
+}  // namespace
+
+void constrain(MacVelocity& velocity, const SolidFaces& faces, const Solids& solids, double t) {
+  if (!faces.any()) return;
+  const SparseGrid& grid = *velocity.grid;
+  const double h = grid.h();
+  std::array<std::vector<double>, 3> changed;
+  std::array<std::vector<Slot>, 3> where;
+  for (int axis = 0; axis < 3; ++axis)
+    for (Slot s = 0; s < grid.size(); ++s) {
+      if (faces.open[axis][s] > 0 || velocity.known[axis][s] == 0) continue;
+      const Point p = grid.face(grid.cell(s), axis);
+      const double depth = std::max(0.0, -solids.distance(p, t));
+      const Point normal = solids.normal(p, t, kNormalStep * h), own = solids.velocity(p, t);
+      double u = own[axis];
+      if (depth <= kDeepest * h) {
+        const Point v = velocity.at(p + 2 * depth * normal, own);
+        u = depth == 0 ? (v - across(v - own, normal))[axis]
+                       : (v - 2 * across(v - own, normal))[axis];
+      }
+      changed[axis].push_back(u);
+      where[axis].push_back(s);
+    }
+  for (int axis = 0; axis < 3; ++axis)
+    for (std::size_t n = 0; n < where[axis].size(); ++n)
+      velocity.u[axis][where[axis][n]] = changed[axis][n];
+}
+
+Point kept_out(const Solids& solids, const Point& p, const Point& v, double t, double dt,
+               double length) {
+  if (!solids.any() || !(dt > 0)) return v;
+  const double way = (v.norm() + solids.fastest()) * dt;
+  if (solids.distance(p, t) > way) return v;
+  const int parts = static_cast<int>(
+      std::clamp(std::ceil(kParts * way / length), 1.0, static_cast<double>(kMostParts)));
+  Point q = p;
+  bool pushed = false;
+  for (int part = 1; part <= parts; ++part) {
+    q += v * (dt / parts);
+    const double now = t + dt * part / parts;
+    for (int n = 0; n < kMostPushes; ++n) {
+      const double d = solids.distance(q, now);
+      if (d >= 0) break;
+      q -= d * solids.normal(q, now, kNormalStep * length);
+      pushed = true;
+    }
+  }
+  return pushed ? Point((q - p) / dt) : v;
+}
+
+}  // namespace suture

@@ -1,0 +1,29 @@
+// A scene's frames as a fluid makes them: steps as short as it needs, topology once a frame [§7].
+#pragma once
+
+#include "sims/fluid/fluid.h"
+#include "sims/stepper.h"
+
+namespace suture {
+
+/// The scene's `time.step` is a frame. Keeps a reference to the scene.
+class FluidSteps : public Steps {
+ public:
+  /// \pre scene.fluid
+  /// \throw InvalidInput as Fluid, make_surface_tracker; and where the surface would be looked
+  /// after every few frames but not at the same ones
+  explicit FluidSteps(const Scene& scene);
+
+  void step(std::int64_t index, StepWatcher& watcher) override;
+  const Triangles& surface() const override { return tracker_->surface(); }
+  double time() const override { return fluid_.time(); }
+  TrackerCost cost() const override { return tracker_->cost(); }
+  const Fluid* fluid() const override { return &fluid_; }
+
+ private:
+  const Scene& scene_;
+  std::unique_ptr<SurfaceTracker> tracker_;
+  Fluid fluid_;
+};
+
+}  // namespace suture
