@@ -1,0 +1,120 @@
+// How much of each control volume of the staggered grid is liquid.
+#include "sims/fluid/shares.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace suture {
+namespace {
+
+/// Of a plane's slopes, as parts of their sum: the volume beside a smaller one would be the
+/// difference of nearly equal numbers; taken as flat, it is off by less than this.
+constexpr double kFlat = 1e-6;
+
+/// With 0 ≤ m1 ≤ m2 ≤ m3 of sum 1: the share of the unit cube where m·x < a, for a ≤ 1/2.
+double share_of_corner(double m1, double m2, double m3, double a) {
+  const double m12 = m1 + m2;
+  if (m1 < kFlat) {  // a prism
+    if (m2 < kFlat) return a / m3;
+    return a < m2 ? a * a / (2 * m2 * m3) : (a - m2 / 2) / m3;
+  }
+  if (a < m1) return a * a * a / (6 * m1 * m2 * m3);
+  if (a < m2) return a * (a - m1) / (2 * m2 * m3) + m1 * m1 / (6 * m2 * m3);
+  if (a >= m12 && m12 <= m3) return (2 * a - m12) / (2 * m3);
+  const double low = m1 * m1 * (m1 - 3 * a) + m2 * m2 * (m2 - 3 * a);
+  const double high = a < m3 ? a * a * (3 * m12 - a) : a * a * (3 - 2 * a) + m3 * m3 * (m3 - 3 * a);
+  return (low + high) / (6 * m1 * m2 * m3);
+}
+
+/// D at the 27 cells round s; what does not exist is air.
+std::array<double, 27> values_round(const Liquid& liquid, Slot s) {
+  const SparseGrid& grid = *liquid.grid;
+  const Index3 c = grid.cell(s);
+  std::array<double, 27> d;
+  for (int n = 0; n < 27; ++n) {
+    const Slot at = grid.find({c[0] + n / 9 - 1, c[1] + n / 3 % 3 - 1, c[2] + n % 3 - 1});
+    d[n] = at == kNoSlot ? kFar * grid.h() : liquid.distance[at];
+  }
+  return d;
+}
+
+/// Share of the eighth of the cell on these sides (0 low, 1 high) of its centre.
+double share_of_eighth(const std::array<double, 27>& d, const Index3& side) {
+  double value = 0;
+  Point slope = Point::Zero();  // over an eighth's side
+  for (int n = 0; n < 8; ++n) {
+    const Index3 out{n >> 2 & 1, n >> 1 & 1, n & 1};  // from the centre towards the eighth
+    double weight = 1;
+    int at = 0;
+    for (int a = 0; a < 3; ++a) {
+      weight *= out[a] == 0 ? 0.75 : 0.25;
+      at = 3 * at + 1 + (out[a] == 0 ? 0 : 2 * side[a] - 1);
+    }
+    value += weight * d[at];
+    for (int a = 0; a < 3; ++a) {
+      const double sign = (out[a] == 0 ? -1 : 1) * (2 * side[a] - 1);
+      slope[a] += sign / 2 * weight / (out[a] == 0 ? 0.75 : 0.25) * d[at];
+    }
+  }
+  return share_below(value, slope);
+}
+
+}  // namespace
+
+double share_below(double value, const Point& slope) {
+  Point m = slope.cwiseAbs();
+  const double sum = m.sum();
+  if (!(std::abs(value) < sum / 2)) return value < 0 ? 1 : 0;
+  std::sort(m.data(), m.data() + 3);
+  m /= sum;
+  const double a = 0.5 - std::abs(value) / sum;
+  const double corner = std::clamp(share_of_corner(m[0], m[1], m[2], a), 0.0, 0.5);
+  return value < 0 ? 1 - corner : corner;
+}
+
+std::size_t Shares::memory() const {
+  std::size_t n = cell.capacity();
+  for (int a = 0; a < 3; ++a) n += face[a].capacity() + edge[a].capacity();
+  return n * sizeof(float);
+}
+
+Shares liquid_shares(const Liquid& liquid) {
+  const SparseGrid& grid = *liquid.grid;
+  Shares shares;
+  shares.grid = &grid;
+  shares.cell.assign(grid.size(), 0);
+  for (int a = 0; a < 3; ++a) {
+    shares.face[a].assign(grid.size(), 0);
+    shares.edge[a].assign(grid.size(), 0);
+  }
+  const auto add = [](std::vector<float>& to, Slot s, float share) {
+    if (s != kNoSlot) to[s] += share / 8;
+  };
+  for (Slot s = 0; s < grid.size(); ++s) {
+    const double own = liquid.distance[s];
+    const bool near = std::abs(own) < kNear * grid.h();  // further than any of the 27
+    if (!near && own > 0) continue;
+    std::array<double, 27> d{};
+    if (near) d = values_round(liquid, s);
+    for (int n = 0; n < 8; ++n) {
+      const Index3 side{n >> 2 & 1, n >> 1 & 1, n & 1};
+      const auto share = near ? static_cast<float>(share_of_eighth(d, side)) : 1.0f;
+      if (share < kLeastShare) continue;
+      add(shares.cell, s, share);
+      std::array<Slot, 3> next;  // the slot whose low face across the axis bounds the eighth
+      for (int a = 0; a < 3; ++a) {
+        next[a] = side[a] == 0 ? s : grid.neighbour(s, a, 1);
+        add(shares.face[a], next[a], share);
+      }
+      for (int a = 0; a < 3; ++a) {
+        const int b = next_axis(a), c = prev_axis(a);
+        const Slot at =
+            side[c] == 0 || next[b] == kNoSlot ? next[b] : grid.neighbour(next[b], c, 1);
+        add(shares.edge[a], at, share);
+      }
+    }
+  }
+  return shares;
+}
+
+}  // namespace suture

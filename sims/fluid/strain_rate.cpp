@@ -1,0 +1,90 @@
+// The strain rate of a staggered velocity: which faces make each of its numbers.
+#include "sims/fluid/strain_rate.h"
+
+#include <algorithm>
+
+namespace suture {
+namespace {
+
+/// A wall nearer than this to a face's middle, in cells, is as if it were so far: the stress of a
+/// nearer one would make the face's equation a held one anyway.
+constexpr double kNearestWall = 1e-3;
+
+}  // namespace
+
+void TensorField::resize(std::size_t slots) {
+  for (int a = 0; a < 3; ++a) {
+    stretch[a].assign(slots, 0);
+    shear[a].assign(slots, 0);
+  }
+}
+
+std::size_t TensorField::memory() const {
+  std::size_t n = 0;
+  for (int a = 0; a < 3; ++a) n += stretch[a].capacity() + shear[a].capacity();
+  return n * sizeof(double);
+}
+
+double RateStencil::of(const MacVelocity& velocity) const {
+  double sum = 0;
+  for (int n = 0; n < faces; ++n) sum += coefficient[n] * velocity.u[axis[n]][slot[n]];
+  return sum;
+}
+
+RateStencil StrainRate::stretch(int axis, Slot s) const {
+  RateStencil r;
+  const Slot next = grid().neighbour(s, axis, 1);
+  double weight = shares_->cell[s];
+  if (weight == 0 || next == kNoSlot) return r;
+  if (!no_slip_ && solids_->any()) {
+    if (held(axis, s) || held(axis, next)) return r;
+    weight *= (solids_->open[axis][s] + solids_->open[axis][next]) / 2;
+  }
+  double way = 1;
+  if (no_slip_ && solids_->any() && held(axis, s) != held(axis, next)) {
+    way = 0;
+    for (const int other : {next_axis(axis), prev_axis(axis)}) {
+      const Slot high = grid().neighbour(s, other, 1);
+      way += solids_->open[other][s] / 4 + (high == kNoSlot ? 1 : solids_->open[other][high]) / 4;
+    }
+    way = std::clamp(way, kNearestWall, 1.0);
+  }
+  r = {2, {axis, axis}, {s, next}, {-1 / way, 1 / way}, weight * way};
+  return r;
+}
+
+/// In cells, from the wall to the middle of that of two neighbouring faces which is not held; 1
+/// where there is no wall between.
+double StrainRate::way_from_wall(int axis, Slot one, Slot other) const {
+  if (held(axis, one) == held(axis, other)) return 1;
+  const double open = solids_->open[axis][one] + solids_->open[axis][other];
+  return std::clamp(open - 0.5, kNearestWall, 1.0);
+}
+
+RateStencil StrainRate::shear(int axis, Slot s) const {
+  RateStencil r;
+  const int b = next_axis(axis), c = prev_axis(axis);
+  const Slot below_b = grid().neighbour(s, b, -1), below_c = grid().neighbour(s, c, -1);
+  double weight = shares_->edge[axis][s];
+  if (weight == 0 || below_b == kNoSlot || below_c == kNoSlot) return r;
+  r.axis = {b, b, c, c};
+  r.slot = {s, below_c, s, below_b};
+  r.coefficient = {1, -1, 1, -1};
+  if (solids_->any() && no_slip_) {
+    const double way_b = way_from_wall(b, s, below_c), way_c = way_from_wall(c, s, below_b);
+    r.coefficient = {1 / way_b, -1 / way_b, 1 / way_c, -1 / way_c};
+    weight *= std::min(way_b, way_c);
+  } else if (solids_->any()) {
+    double open = 0;
+    for (int n = 0; n < 4; ++n) {
+      if (held(r.axis[n], r.slot[n])) return RateStencil{};
+      open += solids_->open[r.axis[n]][r.slot[n]];
+    }
+    weight *= open / 4;
+  }
+  r.weight = weight;
+  r.faces = 4;
+  return r;
+}
+
+}  // namespace suture
