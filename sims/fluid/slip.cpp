@@ -11,8 +11,9 @@ namespace {
 /// changes over, long beside rounding.
 constexpr double kNormalStep = 1e-3;
 
-/// A face deeper in a solid than this, in cells, takes the solid's own velocity: no liquid is near.
-constexpr double kDeepest = 3;
+/// A face deeper in a solid than this, in cells, takes the solid's own velocity: what is asked for
+/// outside of a solid does not meet it.
+constexpr double kDeepest = 2;
 
 /// A corner takes a push out of each of its sides, and one more for rounding.
 constexpr int kMostPushes = 4;
