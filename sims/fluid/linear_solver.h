@@ -15,10 +15,11 @@ struct SolverOptions {
   int most_iterations = 500;
 };
 
-/// What a solve did. It converged where `residual` is at most the tolerance asked for.
+/// What a solve did. It converged where `residual` is the tolerance asked for or less; a tenth more
+/// is rounding.
 struct SolveReport {
   int iterations = 0;
-  double residual = 0;  ///< as the tolerance; 0 where the right side is 0
+  double residual = 0;  ///< measured at the end, as the tolerance; 0 where the right side is 0
 };
 
 /// One row a cell, which meets its six neighbours: row s of the product is diagonal[s]·x[s] and,

@@ -81,8 +81,8 @@ struct SolidFaces {
 /// would have a row so small that the solver's tolerance says nothing about its velocities.
 inline constexpr double kLeastOpen = 0.01;
 
-/// By the distances at a face's four corners, linear along its sides [Batty et al. 2007, §4]. A
-/// corner within rounding of a solid is in it: a wall on a plane of the grid closes what is on it.
+/// By the distances at a face's corners and middle, linear in between [Batty et al. 2007, §4]. What
+/// is within rounding of a solid is in it: a wall on a plane of the grid closes what is on it.
 SolidFaces faces_of(const Solids& solids, const SparseGrid& grid, double t);
 
 }  // namespace suture

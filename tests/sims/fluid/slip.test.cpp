@@ -1,0 +1,122 @@
+#include "sims/fluid/slip.h"
+
+#include <catch2/catch.hpp>
+#include <cmath>
+
+#include "kernel/random.h"
+#include "tests/sims/fluid/liquids.h"
+
+using namespace suture;
+
+namespace {
+
+Triangles ball(const Point& centre, double radius, double edge) {
+  SphereParameters p;
+  p.centre = centre;
+  p.radius = radius;
+  p.edge_length = edge;
+  return sphere(p);
+}
+
+/// Projected, extrapolated and constrained.
+MacVelocity slid(const LiquidScene& scene, const std::function<Point(const Point&)>& field) {
+  MacVelocity v = scene.velocity(field);
+  project(v, scene.input());
+  extrapolate(v, 3);
+  constrain(v, scene.faces, scene.solids, 0);
+  return v;
+}
+
+}  // namespace
+
+TEST_CASE("liquid slides along walls of the grid freely and does not cross them") {
+  for (const double wall : {0.8, 0.83, 0.86}) {  // on a plane, and between two
+    Solids walls{{Solid::container({{-3, -3, 0.8 - wall}, {3, wall, 3}})}};
+    const LiquidScene scene(block_of_liquid({0, 0, 0.8 - wall}, {0.8, wall, 0.7}), 0.1, walls);
+    const auto along = [](const Point&) -> Point { return {1, 0, 0}; };
+    const MacVelocity v = slid(scene, along);
+    for (const double x : {0.2, 0.45, 0.6})
+      for (const double z : {0.8 - wall, 0.9 - wall, 0.5}) {
+        CHECK((v.at({x, wall, z}) - Point(1, 0, 0)).norm() < 1e-5);
+        CHECK((v.at({x, wall + 0.03, z}) - Point(1, 0, 0)).norm() < 1e-5);
+      }
+  }
+}
+
+TEST_CASE(
+    "what falls on a wall has no velocity across it there, to second order in a plane's place") {
+  for (const double floor : {0.0, 0.03, 0.06, 0.09}) {
+    Solids walls{{Solid::container({{0, 0, floor}, {0.8, 0.8, 3}})}};
+    const LiquidScene scene(block_of_liquid({0, 0, floor}, {0.8, 0.8, 0.67}), 0.1, walls);
+    // Squeezed from the sides' middle to the sides: -z and x.
+    const MacVelocity v = slid(scene, [](const Point& p) -> Point {
+      return {p[0] - 0.4, 0, -2 * p[2]};
+    });
+    for (const double x : {0.15, 0.35, 0.66})
+      CHECK(std::abs(v.at({x, 0.4, floor})[2]) < 0.02);  // beside 0.2 a cell above
+  }
+}
+
+TEST_CASE("liquid goes with a moving wall across it, and along it as it likes") {
+  SolidMotion motion;
+  motion.velocity = Point(0.5, 0, 9);
+  Solids walls{{Solid::container({{0.03, 0, 0}, {3, 0.8, 0.8}}, motion)}};
+  const LiquidScene scene(block_of_liquid({0.03, 0, 0}, {0.8, 0.8, 0.8}), 0.1, walls);
+  const MacVelocity v = slid(scene, [](const Point&) -> Point { return {0.5, 0, 9}; });
+  for (const double y : {0.25, 0.4, 0.63})
+    CHECK((v.at({0.03, y, 0.4}) - Point(0.5, 0, 9)).norm() < 1e-4);
+}
+
+TEST_CASE("round a ball the velocity across is small, and smaller on a finer grid") {
+  double before = 0;
+  for (const double h : {0.1, 0.05}) {
+    Solids walls{{Solid::ball({0, 0, 0}, 0.5)}};
+    const LiquidScene scene(ball({0.03, 0.02, 0.01}, 1.4, h), h, walls);
+    const MacVelocity v = slid(scene, [](const Point&) -> Point { return {1, 0, 0}; });
+    Random random(1);
+    double sum = 0;
+    const int points = 300;
+    for (int n = 0; n < points; ++n) {
+      Point p(random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1));
+      p *= 0.5 / p.norm();
+      sum += std::pow(v.at(p).dot(p) / 0.5, 2);
+    }
+    const double rms = std::sqrt(sum / points);
+    CHECK(rms < h);
+    if (before > 0) CHECK(rms < 0.7 * before);
+    before = rms;
+  }
+}
+
+TEST_CASE("a point outside is kept outside, one inside comes out, and else nothing changes") {
+  Solids solids{{Solid::container({{-2, -2, -2}, {2, 2, 2}}), Solid::ball({0, 0, 0}, 0.7),
+                 Solid::box({{1, -1, -1}, {1.3, 1, 1}})}};
+  Random random(2);
+  int changed = 0;
+  for (int n = 0; n < 2000; ++n) {
+    Point p(random.uniform(-2.2, 2.2), random.uniform(-2.2, 2.2), random.uniform(-2.2, 2.2));
+    Point v(random.uniform(-5, 5), random.uniform(-5, 5), random.uniform(-5, 5));
+    const double dt = 0.1;
+    if (solids.distance(p, 0) < -0.1) continue;
+    const Point kept = kept_out(solids, p, v, 0, dt, 0.1);
+    CHECK(solids.distance(p + kept * dt, 0) > -1e-7);  // -3e-9 measured
+    if (kept == v) continue;
+    ++changed;
+  }
+  CHECK(changed > 200);
+  CHECK(kept_out(solids, {1.8, 0, 0}, {0.1, 3, 0}, 0, 0.1, 0.1) == Point(0.1, 3, 0));
+  const Point along = kept_out(solids, {1.95, 0, 0}, {2, 3, -1}, 0, 0.1, 0.1);
+  CHECK((along - Point(0.5, 3, -1)).norm() < 1e-9);
+  CHECK(kept_out({}, {0, 0, 0}, {1, 2, 3}, 0, 1, 1) == Point(1, 2, 3));
+}
+
+TEST_CASE("a fast point does not jump a thin wall, and a moving one carries it along") {
+  Solids plate{{Solid::box({{-0.05, -9, -9}, {0.05, 9, 9}})}};
+  const Point v = kept_out(plate, {-0.4, 0, 0}, {10, 1, 0}, 0, 0.1, 0.1);
+  CHECK(-0.4 + 0.1 * v[0] <= -0.05 + 1e-9);
+  CHECK(v[1] == Approx(1));
+  SolidMotion motion;
+  motion.velocity = Point(2, 0, 0);
+  Solids bar{{Solid::box({{-1, -9, -9}, {0, 9, 9}}, motion)}};
+  CHECK(kept_out(bar, {0.01, 0, 0}, {0, 1, 0}, 0, 0.1, 0.1)[0] == Approx(1.9));
+}
