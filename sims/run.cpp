@@ -10,6 +10,7 @@
 #include "kernel/measures.h"
 #include "kernel/mesh_io.h"
 #include "sims/flows/vertex_values.h"
+#include "sims/fluid/fluid.h"
 #include "sims/method_stepper.h"
 #include "sims/output/colours.h"
 #include "sims/output/render.h"
