@@ -111,6 +111,7 @@ std::vector<Entry> other_entries() {
   using S = SheetParameters;
   using C = CarvedBallParameters;
   using A = AnimalParameters;
+  using H = HandParameters;
   return {
       entry<B>("box", "a box of grids", box,
                {{Coordinate<B>{&B::size, 0}, "size_x", "length", "its extent along x"},
@@ -132,7 +133,10 @@ std::vector<Entry> other_entries() {
                 {&C::seed, "seed", "whole number", "of the ornament"}}),
       entry<A>("animal", "a four-legged animal with thin legs, y up, x ahead", animal,
                {{&A::length, "length", "length", "scales all of it"},
-                {&A::leg_radius, "leg_radius", "body length", "of the lower legs"}})};
+                {&A::leg_radius, "leg_radius", "body length", "of the lower legs"}}),
+      entry<H>("hand", "a hand with its fingers spread along x, the thumb to y", hand,
+               {{&H::length, "length", "length", "from wrist to fingertip; scales all of it"},
+                {&H::finger_radius, "finger_radius", "hand length", "of the fingers"}})};
 }
 
 const std::vector<Entry>& entries() {

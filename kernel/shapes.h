@@ -103,4 +103,14 @@ struct AnimalParameters {
 };
 Triangles animal(const AnimalParameters& parameters);
 
+/// A hand with its fingers spread, cut off below the wrist, about 1.4 lengths long: fingers along
+/// x, the thumb to y, the palm down, −z. Made as the animal is; the fingers are its thinnest parts.
+struct HandParameters {
+  Point centre = Point::Zero();  ///< of the wrist
+  double length = 1;             ///< from the wrist to the longest finger's tip; scales all of it
+  double finger_radius = 0.036;  ///< as a part of the length, 0.025 to 0.05
+  double edge_length = 0.015;    ///< at most 0.45 of the fingers' radius
+};
+Triangles hand(const HandParameters& parameters);
+
 }  // namespace suture

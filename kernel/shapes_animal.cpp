@@ -1,22 +1,11 @@
 // A four-legged animal with thin legs: a smooth union of tapered capsules [Figures 8 and 12].
-#include <Eigen/Geometry>
-#include <algorithm>
-#include <cmath>
-
-#include "kernel/isosurface.h"
-#include "kernel/relax.h"
+#include "kernel/capsules.h"
 #include "kernel/shape_checks.h"
 #include "kernel/shapes.h"
 
 namespace suture {
 
 namespace {
-
-// Balls of radius `from` to `to` along a segment.
-struct Capsule {
-  Point start, end;
-  double from = 0, to = 0;
-};
 
 // All in lengths of the animal; z is its left. The legs' radius is the only free one.
 std::vector<Capsule> limbs(double leg) {
@@ -41,60 +30,9 @@ std::vector<Capsule> limbs(double leg) {
   return all;
 }
 
-struct Value {
-  double value = 0;
-  Point gradient = Point::Zero();
-};
-
-// Near enough to a distance: to the ball of the nearest point of the segment.
-Value distance(const Capsule& c, const Point& p) {
-  const Point along = c.end - c.start;
-  const double length2 = along.squaredNorm(), at = (p - c.start).dot(along) / length2;
-  const double t = std::clamp(at, 0.0, 1.0);
-  const Point away = p - c.start - t * along;
-  const double d = away.norm();
-  Point gradient = away / std::max(d, 1e-300);
-  if (t == at) gradient -= (c.to - c.from) / length2 * along;
-  return {d - (c.from + t * (c.to - c.from)), gradient};
-}
-
-// The minimum, rounded where the two are within `width` of each other (Quilez's polynomial).
-Value smooth_minimum(const Value& a, const Value& b, double width) {
-  const Value &low = a.value < b.value ? a : b, &high = a.value < b.value ? b : a;
-  const double h = std::max(width - (high.value - low.value), 0.0) / width;
-  return {low.value - h * h * width / 4, low.gradient + h / 2 * (high.gradient - low.gradient)};
-}
-
-class Body {
- public:
-  explicit Body(double leg) : limbs_(limbs(leg)) {}
-
-  Value at(const Point& p) const {
-    constexpr double kRound = 0.05;  // lengths; how far limbs flow into each other
-    Value value = distance(limbs_[0], p);
-    for (std::size_t i = 1; i < limbs_.size(); ++i)
-      value = smooth_minimum(value, distance(limbs_[i], p), kRound);
-    return value;
-  }
-
-  Point onto_surface(Point p) const {
-    constexpr int kNewtonSteps = 4;  // from within half a cell; then at the size of rounding
-    for (int k = 0; k < kNewtonSteps; ++k) {
-      const Value v = at(p);
-      p -= v.value / v.gradient.squaredNorm() * v.gradient;
-    }
-    return p;
-  }
-
- private:
-  std::vector<Capsule> limbs_;
-};
-
 }  // namespace
 
 Triangles animal(const AnimalParameters& p) {
-  constexpr double kCellsPerEdge = 1.9;  // measured: gives edges of edge_length on average
-  constexpr double kLeastCosine = 0.3;   // between a triangle and the surface's normal
   require_positive("animal: length", p.length);
   require_range("animal: leg_radius", p.leg_radius, 0.02, 0.06, "0.02 to 0.06 of its length");
   require_resolution("animal", 3 * p.length * p.length, p.edge_length);
@@ -103,18 +41,12 @@ Triangles animal(const AnimalParameters& p) {
     throw InvalidInput("animal: edge_length " + std::to_string(p.edge_length) +
                        " is too long for its legs; choose at most 0.6 of their radius, " +
                        std::to_string(longest));
-  const Body body(p.leg_radius);
-  const double cell = kCellsPerEdge * p.edge_length / p.length;
-  const Point margin = Point::Constant(0.06 + 2 * cell);
+  constexpr double kRound = 0.05;  // lengths; how far limbs flow into each other
+  const double edge = p.edge_length / p.length;
+  const Point margin = Point::Constant(0.06 + 2 * kSkinCellsPerEdge * edge);
   Triangles surface =
-      isosurface([&](const Point& q) { return body.at(q).value; },
-                 {Point(-0.8, -0.05, -0.25) - margin, Point(1.0, 1.3, 0.25) + margin}, cell);
-  relax(surface.positions, surface.triangles,
-        {2, 15, [&](const Point& q) { return body.onto_surface(q); },
-         [&](const Point& a, const Point& b, const Point& c) {
-           const Point normal = (b - a).cross(c - a), up = body.at((a + b + c) / 3).gradient;
-           return normal.dot(up) > kLeastCosine * normal.norm() * up.norm();
-         }});
+      skin(CapsuleUnion(limbs(p.leg_radius), kRound),
+           {Point(-0.8, -0.05, -0.25) - margin, Point(1.0, 1.3, 0.25) + margin}, edge);
   for (Point& q : surface.positions) q = p.centre + p.length * q;
   return surface;
 }

@@ -48,7 +48,11 @@ void FluidSteps::step(std::int64_t index, StepWatcher& watcher) {
     left = steps == 1 ? 0 : end - fluid_.time();
   }
   const int every = std::max(scene_.time.remodel_every, scene_.time.improve_every);
-  if (every > 0 && (index % every == 0 || index == scene_.time.steps())) tracker_->settle();
+  if (every > 0 && (index % every == 0 || index == scene_.time.steps())) {
+    fluid_.before_remodel(tracker_->surface());
+    tracker_->settle();
+    fluid_.after_remodel(tracker_->surface());
+  }
   tracker_->watch(nullptr);
 }
 

@@ -5,6 +5,7 @@
 
 #include "kernel/errors.h"
 #include "sims/accuracy/measurement.h"
+#include "sims/cli/changes.h"
 #include "sims/cli/commands.h"
 #include "sims/cli/inputs.h"
 #include "sims/cli/progress_bar.h"
@@ -14,47 +15,17 @@ namespace {
 
 struct Settings {
   MeasurementOptions measurement;
-  std::string method;
-  std::vector<std::string> changes;
+  ChangeOptions change;
   std::filesystem::path csv;
   bool afresh = false;
 };
-
-/// A word of the command line as a scene file would have it: true, 3, 0.5, [1, 2], or text.
-Value value_of(const std::string& text) {
-  if (text == "true" || text == "false") return text == "true";
-  char* end = nullptr;
-  const double number = std::strtod(text.c_str(), &end);
-  if (!text.empty() && *end == '\0') {
-    const bool whole = text.find_first_not_of("+-0123456789") == std::string::npos;
-    if (whole) return static_cast<std::int64_t>(std::strtoll(text.c_str(), nullptr, 10));
-    return number;
-  }
-  if (text.size() < 2 || text.front() != '[' || text.back() != ']') return text;
-  std::vector<double> list;
-  for (const std::string& part : CLI::detail::split(text.substr(1, text.size() - 2), ','))
-    list.push_back(std::strtod(part.c_str(), nullptr));
-  return list;
-}
-
-SceneChanges read_changes(const Settings& s) {
-  SceneChanges changes;
-  for (const std::string& change : s.changes) {
-    const std::size_t equals = change.find('='), dot = change.find('.');
-    if (equals == std::string::npos || dot == std::string::npos || dot > equals)
-      throw InvalidInput("--set " + change + ": write table.key=value, as tracker.cell_size=0.02");
-    changes[change.substr(0, equals)] = value_of(change.substr(equals + 1));
-  }
-  if (!s.method.empty()) changes["method.kind"] = s.method;
-  return changes;
-}
 
 /// The command that makes these rows: what decides them, and not where they go.
 std::string command_of(const Settings& s) {
   const MeasurementOptions& m = s.measurement;
   std::string text = "suture measure " + m.scene.generic_string();
-  if (!s.method.empty()) text += " --method " + s.method;
-  std::vector<std::string> changes = s.changes;
+  if (!s.change.method.empty()) text += " --method " + s.change.method;
+  std::vector<std::string> changes = s.change.changes;
   std::sort(changes.begin(), changes.end());
   for (const std::string& change : changes) text += " --set " + change;
   if (!m.at.empty()) text += fmt::format(" --at {}", fmt::join(m.at, ","));
@@ -81,7 +52,7 @@ bool made_before(const Settings& s, const std::string& command) {
 
 int run_measure(Settings s) {
   MeasurementOptions& m = s.measurement;
-  m.changes = read_changes(s);
+  m.changes = read_changes(s.change);
   const std::string command = command_of(s);
   if (!s.csv.empty()) require_folder_of(s.csv);
   if (made_before(s, command)) {
@@ -90,7 +61,8 @@ int run_measure(Settings s) {
     return kDone;
   }
   if (!m.surfaces.empty()) std::filesystem::create_directories(m.surfaces);
-  if (m.name.empty()) m.name = m.scene.stem().string() + (s.method.empty() ? "" : "." + s.method);
+  if (m.name.empty())
+    m.name = m.scene.stem().string() + (s.change.method.empty() ? "" : "." + s.change.method);
   std::vector<Record> rows;
   {
     ProgressBar bar;
@@ -134,12 +106,7 @@ void add_measure(CLI::App& app, int& exit) {
   CLI::App* command =
       app.add_subcommand("measure", "Run a scene by a method and measure it against what is exact");
   command->add_option("scene", m.scene, "Scene file")->required()->type_name("SCENE.toml");
-  command
-      ->add_option("--method", s->method, "Instead of the scene's: mesh, markers, level_set, ...")
-      ->type_name("KIND");
-  command->add_option("--set", s->changes, "Instead of what the scene has: table.key=value")
-      ->type_name("T.K=V")
-      ->allow_extra_args(false);
+  add_change_options(*command, s->change);
   command->add_option("--at", m.at, "Times to measure at; default: the scene's, or its end")
       ->delimiter(',')
       ->type_name("T,T");

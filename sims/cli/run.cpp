@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "sims/cli/changes.h"
 #include "sims/cli/commands.h"
 #include "sims/cli/progress_bar.h"
 
@@ -11,10 +12,11 @@ namespace {
 
 struct Settings {
   std::filesystem::path scene, folder;
+  ChangeOptions change;
 };
 
 int run_scene(const Settings& s) {
-  Scene scene = read_scene(s.scene);
+  Scene scene = read_scene(s.scene, read_changes(s.change));
   for (const std::string& note : scene.notes) fmt::print(stderr, "{}\n", note);
   RunSummary r;
   {
@@ -43,6 +45,7 @@ void add_run(CLI::App& app, int& exit) {
   command->add_option("-o,--output", s->folder, "Folder for meshes, pictures and report.json")
       ->required()
       ->type_name("DIR");
+  add_change_options(*command, s->change);
   command->callback([s, &exit] { exit = run_scene(*s); });
 }
 

@@ -3,8 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "kernel/errors.h"
+#include "sims/fluid/effects.h"
 #include "sims/fluid/pressure.h"
 #include "sims/fluid/slip.h"
 
@@ -69,12 +71,14 @@ struct Fluid::State {
   double time = 0, last_dt = 0;
   FluidStep last;
   ModuleCosts costs;
+  std::unique_ptr<Effects> effects;
 
   bool started() const { return grid != nullptr; }
   double fall(double dt) const { return options.gravity.lpNorm<Eigen::Infinity>() * dt; }
   int band(double dt) const;
   void carry(SurfaceTracker& surface, double carried_for, double dt);
-  void project_velocity(double dt, const SolidFaces& faces);
+  void make_incompressible(const StepState& step);
+  void bring_forward(SurfaceTracker& surface, double dt);
   void move(SurfaceTracker& surface, double dt);
 };
 
@@ -88,24 +92,26 @@ int Fluid::State::band(double dt) const {
 /// A grid round the surface as it is now, with the velocity that the liquid brings along.
 void Fluid::State::carry(SurfaceTracker& surface, double carried_for, double dt) {
   const auto distance = [&](const Point& p) { return surface.distance(p); };
+  std::unique_ptr<SparseGrid> old;
   costs.timed("grid", [&] {
     const LiquidCells cells =
         find_liquid(surface.surface(), distance, options.origin, options.cell_size);
     auto next = std::make_unique<SparseGrid>(grid_round(cells, band(dt)));
     liquid = liquid_on(*next, cells, surface.surface(), solids, time);
     last.drops = cells.drop_count;
-    next.swap(grid);
-    costs.timed("advection", [&] {
-      velocity = next ? carried(velocity, liquid, carried_for, options.advection)
-                      : sampled(initial, liquid);
-    });
+    old = std::exchange(grid, std::move(next));
+  });
+  costs.timed("advection", [&] {
+    velocity = old ? carried(velocity, liquid, carried_for, options.advection)
+                   : sampled(initial, liquid);
   });
   costs.holds("grid", liquid.memory());
   costs.holds("advection", 2 * memory(velocity));
 }
 
-void Fluid::State::project_velocity(double dt, const SolidFaces& faces) {
-  const ProjectionInput input{liquid, faces, options.density, dt};
+void Fluid::State::make_incompressible(const StepState& step) {
+  const ProjectionInput input{liquid,  step.faces,          options.density,
+                              step.dt, effects->jump(step), effects->divergence(step)};
   costs.timed("pressure", [&] {
     const SolveReport solved = project(velocity, input, options.pressure);
     costs.iterated("pressure", solved.iterations);
@@ -120,7 +126,9 @@ void Fluid::State::move(SurfaceTracker& surface, double dt) {
     const Point v = velocity.at(p);
     return solids.any() ? kept_out(solids, p, v, time, dt, h) : v;
   };
-  costs.timed("surface", [&] { surface.advect(field, dt); });
+  effects->moving(
+      surface, [&] { costs.timed("surface", [&] { surface.advect(field, dt); }); },
+      [&](const Point& p) -> Point { return p + dt * field(p + 0.5 * dt * field(p, 0), 0); });
 }
 
 Fluid::Fluid(FluidOptions options, Initial initial) : state_(std::make_unique<State>()) {
@@ -128,6 +136,7 @@ Fluid::Fluid(FluidOptions options, Initial initial) : state_(std::make_unique<St
   for (const SolidOptions& s : options.solids)
     state_->solids.all.push_back(make_solid(s, options.origin, options.cell_size));
   state_->options = std::move(options);
+  state_->effects = std::make_unique<Effects>(state_->options, state_->costs);
   state_->initial = std::move(initial);
 }
 
@@ -139,38 +148,45 @@ int Fluid::steps_in(double left) const {
   const double speed = s.started() ? largest_component(s.velocity) : 0;
   // What falls with g from this speed crosses cfl cells in the root of g t² + speed t = cfl h.
   const double reach = o.cfl * o.cell_size, g = s.fall(1);
-  const double longest = 2 * reach / (speed + std::sqrt(speed * speed + 4 * g * reach));
+  const double longest = std::min(2 * reach / (speed + std::sqrt(speed * speed + 4 * g * reach)),
+                                  s.effects->longest_step());
   const double steps = longest > 0 ? std::ceil(left / longest * (1 - 1e-9)) : o.most_steps;
   return static_cast<int>(std::clamp<double>(steps, 1, o.most_steps));
+}
+
+/// The velocity to the middle of the next dt.
+void Fluid::State::bring_forward(SurfaceTracker& surface, double dt) {
+  const double by = 0.5 * (last_dt + dt), then = time + 0.5 * dt;
+  carry(surface, started() ? by : 0, dt);
+  add_force(velocity, options.gravity * by);
+  SolidFaces faces;
+  if (solids.any()) {
+    costs.timed("solids", [&] { faces = faces_of(solids, *grid, then); });
+    costs.holds("solids", faces.memory());
+  }
+  const StepState step{velocity, liquid, faces, solids, surface.surface(), time, by};
+  effects->stress(step);
+  make_incompressible(step);
+  costs.timed("extrapolation", [&] { extrapolate(velocity, band(dt)); });
+  if (solids.any()) costs.timed("solids", [&] { constrain(velocity, faces, solids, then); });
+  require_finite(velocity);
+  last.cells = grid->size();
+  last.liquid = static_cast<std::size_t>(std::count_if(
+      liquid.distance.begin(), liquid.distance.end(), [](double d) { return d < 0; }));
+  last.cfl = largest_component(velocity) * dt / options.cell_size;
 }
 
 void Fluid::step(SurfaceTracker& surface, double dt) {
   State& s = *state_;
   if (!(dt > 0) || !std::isfinite(dt)) throw InvalidInput("fluid: a step must be above 0 long");
-  const bool gone = surface.surface().triangles.empty();
-  const double carried_for = 0.5 * (s.last_dt + dt);
-  if (!gone) {
-    s.carry(surface, s.started() ? carried_for : 0, dt);
-    add_force(s.velocity, s.options.gravity * carried_for);
-    SolidFaces faces;
-    if (s.solids.any()) {
-      s.costs.timed("solids", [&] { faces = faces_of(s.solids, *s.grid, s.time + 0.5 * dt); });
-      s.costs.holds("solids", faces.memory());
-    }
-    s.project_velocity(carried_for, faces);
-    s.costs.timed("extrapolation", [&] { extrapolate(s.velocity, s.band(dt)); });
-    if (s.solids.any())
-      s.costs.timed("solids", [&] { constrain(s.velocity, faces, s.solids, s.time + 0.5 * dt); });
-    require_finite(s.velocity);
-    s.last.cells = s.grid->size();
-    s.last.liquid = static_cast<std::size_t>(std::count_if(
-        s.liquid.distance.begin(), s.liquid.distance.end(), [](double d) { return d < 0; }));
-    s.last.cfl = largest_component(s.velocity) * dt / s.options.cell_size;
-  }
+  if (!surface.surface().triangles.empty()) s.bring_forward(surface, dt);
   s.move(surface, dt);
   s.last.dt = s.last_dt = dt;
   s.time += dt;
 }
+
+void Fluid::before_remodel(const Triangles& surface) { state_->effects->before_remodel(surface); }
+void Fluid::after_remodel(const Triangles& surface) { state_->effects->after_remodel(surface); }
 
 Point Fluid::velocity(const Point& p) const {
   return state_->started() ? state_->velocity.at(p) : state_->initial(p);

@@ -41,6 +41,11 @@ class Fluid {
   /// \throw InvalidInput if a velocity is beyond the finite numbers, as SurfaceTracker::advect
   void step(SurfaceTracker& surface, double dt);
 
+  /// Round what changes the surface's triangles between steps, so that volume control hands on what
+  /// each body of liquid should have.
+  void before_remodel(const Triangles& surface);
+  void after_remodel(const Triangles& surface);
+
   /// At p now: in the liquid and some cells round it; elsewhere 0.
   Point velocity(const Point& p) const;
   double time() const;

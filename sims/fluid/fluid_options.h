@@ -7,6 +7,7 @@
 #include "sims/fluid/advect_velocity.h"
 #include "sims/fluid/linear_solver.h"
 #include "sims/fluid/solid_options.h"
+#include "sims/fluid/volume_control.h"
 
 namespace suture {
 
@@ -20,6 +21,12 @@ struct FluidOptions {
   int most_steps = 1000;  ///< of a frame; what would take more is run with a larger CFL number
   VelocityAdvection advection = VelocityAdvection::mac_cormack;
   SolverOptions pressure;
+
+  std::optional<double> viscosity;  ///< dynamic: force per area and rate of shear
+  bool no_slip = true;              ///< of viscous liquid at solids
+  SolverOptions viscous_solver{1e-5, 1000};
+  std::optional<double> surface_tension;  ///< force per length
+  std::optional<VolumeControlOptions> volume_control;
   std::vector<SolidOptions> solids;
 };
 

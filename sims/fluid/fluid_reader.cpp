@@ -52,11 +52,40 @@ SolidOptions read_solid(TomlTable& solid, const std::filesystem::path& folder,
   return s;
 }
 
-SolverOptions read_solver(Keys& keys, const std::string& of, SolverOptions o) {
-  o.tolerance = keys.number(of + "tolerance", Range{0, 1, true}, o.tolerance);
-  o.most_iterations = static_cast<int>(
-      keys.integer(of + "most_iterations", Range::between(1, 1e6), o.most_iterations));
+SolverOptions read_solver(Keys& keys, SolverOptions o) {
+  o.tolerance = keys.number("tolerance", Range{0, 1, true}, o.tolerance);
+  o.most_iterations =
+      static_cast<int>(keys.integer("most_iterations", Range::between(1, 1e6), o.most_iterations));
   return o;
+}
+
+/// An effect is there if its table is.
+template <class Read>
+void read_effect(TomlTable& fluid, const std::string& name, Read read) {
+  const auto at = fluid.tables.find(name);
+  if (at == fluid.tables.end()) return;
+  at->second.allow_tables({});
+  read(at->second.keys);
+  at->second.keys.done();
+}
+
+void read_effects(TomlTable& fluid, FluidOptions& o) {
+  fluid.allow_tables({"viscosity", "surface_tension", "volume_control"});
+  read_effect(fluid, "viscosity", [&](Keys& keys) {
+    o.viscosity = keys.number("viscosity", Range::at_least(0));
+    o.no_slip = keys.flag("no_slip", o.no_slip);
+    o.viscous_solver = read_solver(keys, o.viscous_solver);
+  });
+  read_effect(fluid, "surface_tension",
+              [&](Keys& keys) { o.surface_tension = keys.number("tension", Range::at_least(0)); });
+  read_effect(fluid, "volume_control", [&](Keys& keys) {
+    VolumeControlOptions v;
+    v.relaxation = keys.number("relaxation", Range::above(0), v.relaxation);
+    v.damping = keys.number("damping", Range::above(0), v.damping);
+    v.most_shift = keys.number("most_shift", Range::above(0), v.most_shift);
+    v.most_integral = keys.number("most_integral", Range::at_least(0), v.most_integral);
+    o.volume_control = v;
+  });
 }
 
 }  // namespace
@@ -75,7 +104,6 @@ std::optional<FluidOptions> read_fluid(TomlTable& scene, const TrackerOptions& t
     return std::nullopt;
   }
   TomlTable& fluid = at->second;
-  fluid.allow_tables({});
   Keys& keys = fluid.keys;
   FluidOptions o;
   o.cell_size = keys.number("cell_size", Range::above(0), tracker.cell_size);
@@ -85,8 +113,9 @@ std::optional<FluidOptions> read_fluid(TomlTable& scene, const TrackerOptions& t
   o.cfl = keys.number("cfl", Range::above(0), o.cfl);
   o.most_steps = static_cast<int>(keys.integer("most_steps", Range::between(1, 1e6), o.most_steps));
   o.advection = keys.choice("advection", kAdvections, o.advection);
-  o.pressure = read_solver(keys, "", o.pressure);
+  o.pressure = read_solver(keys, o.pressure);
   keys.done();
+  read_effects(fluid, o);
   if (solids != scene.lists.end())
     for (TomlTable& solid : solids->second)
       o.solids.push_back(read_solid(solid, folder, sources, notes));

@@ -46,6 +46,10 @@ class MeshTracker : public SurfaceTracker {
     return distance_->at(p);
   }
 
+  bool keeps_triangles() const override {
+    const auto idle = [](int every) { return every == 0 || every == kWhenItSettles; };
+    return idle(schedule_.remodel_every) && idle(schedule_.improve_every);
+  }
   void watch(StepWatcher* watcher) override { watcher_ = watcher; }
   double time() const override { return tracker_.time() + gone_for_; }
 

@@ -45,8 +45,12 @@ class SurfaceTracker {
   /// \pre the surface is not empty
   virtual double distance(const Point& p) = 0;
 
-  /// Who is told of remodels and improvements from now on, where the method has these; null: nobody.
+  /// Who is told of remodels and improvements from now on, where the method has these; null:
+  /// nobody.
   virtual void watch(StepWatcher* /*watcher*/) {}
+
+  /// Whether advect moves vertices and leaves the triangles as they are.
+  virtual bool keeps_triangles() const { return false; }
 
   virtual double time() const = 0;
   virtual TrackerCost cost() const = 0;

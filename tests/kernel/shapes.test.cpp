@@ -33,7 +33,7 @@ const std::vector<Case> kCases{
     {"torus", {0.5, 0.2, 0.05}, 39, 0},     {"cylinder", {0.5, 0.2, 0.03}, 35, 2},
     {"zalesak", {10, 4, 1}, 27, 2},         {"dumbbell", {0.5, 0.1, 0.03}, 35, 2},
     {"sheet", {0.2, 0.05, 0.02}, 5, 2},     {"carved_ball", {0.3, 0.1, 0.03}, 3, 2},
-    {"animal", {0.021, 0.014}, 16, 2}};
+    {"animal", {0.021, 0.014}, 16, 2},      {"hand", {0.016, 0.011}, 16, 2}};
 
 double volume_of(const std::string& shape, double edge_length) {
   return volume(make_shape(shape, {{"edge_length", edge_length}}));
@@ -115,7 +115,9 @@ TEST_CASE("thin necks, bent sheets, low slots and other seeds are embedded manif
       make_shape("zalesak", {{"slot_width", 0.15}, {"edge_length", 3}}),
       make_shape("carved_ball", {{"seed", 7}, {"depth", 0.6}, {"edge_length", 0.08}}),
       make_shape("animal", {{"leg_radius", 0.02}, {"edge_length", 0.012}}),
-      make_shape("animal", {{"leg_radius", 0.06}, {"edge_length", 0.03}})};
+      make_shape("animal", {{"leg_radius", 0.06}, {"edge_length", 0.03}}),
+      make_shape("hand", {{"finger_radius", 0.025}, {"edge_length", 0.011}}),
+      make_shape("hand", {{"finger_radius", 0.05}, {"edge_length", 0.02}})};
   for (std::size_t i = 0; i < all.size(); ++i) {
     INFO("shape " << i << " of the list");
     CHECK(audit(all[i]).closed_manifold());
@@ -189,10 +191,10 @@ TEST_CASE("the carved ball reaches the resolution of the paper's Figure 1", "[sl
 
 TEST_CASE("the same parameters give the same bits, and another seed another ball", "[slow]") {
   for (const ShapeInfo& shape : shape_catalogue())
-    if (shape.name != "animal")
+    if (shape.name != "animal" && shape.name != "hand")
       CHECK(make_shape(shape.name, {{"edge_length", 0.2}}) ==
             make_shape(shape.name, {{"edge_length", 0.2}}));
-  CHECK(make_shape("animal", {}) == make_shape("animal", {}));
+  for (const char* name : {"animal", "hand"}) CHECK(make_shape(name, {}) == make_shape(name, {}));
   CHECK(!(make_shape("carved_ball", {{"edge_length", 0.2}}) ==
           make_shape("carved_ball", {{"edge_length", 0.2}, {"seed", 2}})));
 }

@@ -1,0 +1,112 @@
+// What a scene names beyond an inviscid liquid, each made only where it does.
+#include "sims/fluid/effects.h"
+
+#include <limits>
+
+#include "sims/fluid/surface_tension.h"
+#include "sims/fluid/viscosity.h"
+
+namespace suture {
+namespace {
+
+constexpr double kOnSolid = 0.25;  // cells: a vertex so near a solid lies on it
+
+std::vector<std::uint8_t> lies_on_solid(const StepState& step, double h) {
+  std::vector<std::uint8_t> flags;
+  if (!step.solids.any()) return flags;
+  for (const Point& p : step.surface.positions)
+    flags.push_back(step.solids.distance(p, step.time) < kOnSolid * h ? 1 : 0);
+  return flags;
+}
+
+}  // namespace
+
+struct Effects::State {
+  const FluidOptions& options;
+  ModuleCosts& costs;
+  std::optional<VolumeControl> volume;  ///< from the first step on, if the scene names it
+  std::array<std::vector<double>, 3> jump;
+  std::vector<double> divergence;
+
+  void viscosity(const StepState& step);
+};
+
+Effects::Effects(const FluidOptions& options, ModuleCosts& costs)
+    : state_(new State{options, costs, {}, {}, {}}) {}
+
+Effects::~Effects() = default;
+
+double Effects::longest_step() const {
+  const FluidOptions& o = state_->options;
+  return o.surface_tension ? capillary_step(o.cell_size, o.density, *o.surface_tension)
+                           : std::numeric_limits<double>::infinity();
+}
+
+void Effects::State::viscosity(const StepState& step) {
+  costs.timed("viscosity", [&] {
+    const DiffusionReport done = diffuse(step.velocity, step.liquid, step.faces,
+                                         {*options.viscosity, options.density, options.no_slip},
+                                         step.dt, options.viscous_solver);
+    costs.iterated("viscosity", done.iterations);
+    costs.holds("viscosity", done.memory);
+  });
+}
+
+void Effects::stress(const StepState& step) {
+  if (state_->options.viscosity) state_->viscosity(step);
+}
+
+const std::array<std::vector<double>, 3>* Effects::jump(const StepState& step) {
+  State& s = *state_;
+  if (!s.options.surface_tension) return nullptr;
+  const double h = s.options.cell_size;
+  s.costs.timed("surface_tension", [&] {
+    const std::vector<std::uint8_t> flags = lies_on_solid(step, h);
+    CurvatureOptions curvature;
+    if (!flags.empty()) curvature.on_solid = &flags;
+    s.jump = tension_jump(step.surface, NearestTriangle(step.surface),
+                          mean_curvature(step.surface, h, curvature), step.liquid,
+                          *s.options.surface_tension);
+  });
+  s.costs.holds("surface_tension", 3 * s.jump[0].size() * sizeof(double) +
+                                       step.surface.positions.size() * sizeof(double));
+  return &s.jump;
+}
+
+const std::vector<double>* Effects::divergence(const StepState& step) {
+  State& s = *state_;
+  if (!s.options.volume_control) return nullptr;
+  s.costs.timed("volume_control", [&] {
+    if (!s.volume) s.volume.emplace(step.surface, *s.options.volume_control);
+    s.divergence = s.volume->divergence(NearestTriangle(step.surface), step.liquid, step.dt);
+  });
+  s.costs.holds("volume_control", s.volume->memory() + s.divergence.size() * sizeof(double));
+  return &s.divergence;
+}
+
+void Effects::moving(SurfaceTracker& surface, const std::function<void()>& advect,
+                     const std::function<Point(const Point&)>& move) {
+  State& s = *state_;
+  if (!s.volume) return advect();
+  const bool follows = surface.keeps_triangles();
+  if (!follows) before_remodel(surface.surface());
+  advect();
+  s.costs.timed("volume_control", [&] {
+    if (follows)
+      s.volume->moved(surface.surface());
+    else
+      s.volume->after_remodel(surface.surface(), move);
+  });
+}
+
+void Effects::before_remodel(const Triangles& surface) {
+  State& s = *state_;
+  if (s.volume) s.costs.timed("volume_control", [&] { s.volume->before_remodel(surface); });
+}
+
+void Effects::after_remodel(const Triangles& surface) {
+  State& s = *state_;
+  if (s.volume) s.costs.timed("volume_control", [&] { s.volume->after_remodel(surface); });
+}
+
+}  // namespace suture

@@ -1,0 +1,31 @@
+// What the liquid has of energy and momentum, and how fast and how free of divergence it flows.
+#pragma once
+
+#include <vector>
+
+#include "sims/fluid/liquid.h"
+#include "sims/fluid/mac_velocity.h"
+#include "sims/fluid/solids.h"
+
+namespace suture {
+
+/// In the scene's units. Sums over cells by the part of each that is liquid and no solid: D is
+/// taken as a plane there, a solid as flat by what it leaves open of the faces. Second order in h.
+struct LiquidMeasures {
+  double volume = 0;  ///< as the grid sees it; the surface's is exact
+  double kinetic_energy = 0;
+  double potential_energy = 0;  ///< 0 at the scene's origin
+  Point momentum = Point::Zero();
+  Point angular_momentum = Point::Zero();  ///< about the scene's origin
+  double largest_velocity = 0;             ///< at centres of cells inside
+  double largest_divergence = 0;           ///< beyond the wanted one, of cells inside, per time
+};
+
+/// Faces that are not known count as the known one on the other side of the cell, closed ones as
+/// the solid, and a cell with neither is at rest. \pre sizes fit the grid; `wanted`: null, or as
+/// in ProjectionInput \throw InvalidInput unless the density is finite and positive
+LiquidMeasures measure_liquid(const MacVelocity& velocity, const Liquid& liquid,
+                              const SolidFaces& solids, double density, const Point& gravity,
+                              const std::vector<double>* wanted = nullptr);
+
+}  // namespace suture

@@ -1,0 +1,151 @@
+// Volume control: each body of liquid is given the divergence that brings back what it has lost.
+#include "sims/fluid/volume_control.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "kernel/errors.h"
+#include "sims/fluid/body_groups.h"
+
+namespace suture {
+namespace {
+
+void require(bool right, const char* option, double value, const char* range) {
+  if (!right)
+    throw InvalidInput(std::string("volume control: ") + option + " is " + number(value) +
+                       "; it must be " + range);
+}
+
+/// Of the integral part beside the other one.
+double gain(const VolumeControlOptions& options) {
+  return 1 / (4 * options.damping * options.damping);
+}
+
+/// What the bodies of a group had and should have, together.
+struct Group {
+  bool known = false;               ///< there were such bodies
+  double target = 0, integral = 0;  ///< integral: weighted by target
+  double volume = 0;                ///< now
+  std::uint32_t largest = kNone;    ///< body now; takes what rounding leaves of the target
+};
+
+/// Gives the bodies now the targets of those before. Returns the targets that are left over.
+double hand_on(const std::vector<VolumeControl::Body>& before, const BodyGroups& groups,
+               std::vector<VolumeControl::Body>& now) {
+  std::vector<Group> all(groups.count);
+  for (std::size_t b = 0; b < before.size(); ++b) {
+    Group& group = all[groups.before[b]];
+    group.known = true;
+    group.target += before[b].target;
+    group.integral += before[b].integral * before[b].target;
+  }
+  for (std::uint32_t b = 0; b < now.size(); ++b) {
+    Group& group = all[groups.after[b]];
+    group.volume += now[b].volume;
+    if (group.largest == kNone || now[b].volume > now[group.largest].volume) group.largest = b;
+  }
+  double left_over = 0;
+  std::vector<double> left;
+  for (const Group& group : all) {
+    left.push_back(group.target);
+    if (group.largest == kNone) left_over += group.target;
+  }
+  for (std::uint32_t b = 0; b < now.size(); ++b) {
+    const Group& group = all[groups.after[b]];
+    if (!group.known) continue;
+    if (group.target > 0) now[b].integral = group.integral / group.target;
+    if (b == group.largest) continue;
+    now[b].target = group.volume > 0 ? group.target * (now[b].volume / group.volume) : 0;
+    left[groups.after[b]] -= now[b].target;
+  }
+  for (std::size_t g = 0; g < groups.count; ++g)
+    if (all[g].known && all[g].largest != kNone) now[all[g].largest].target = left[g];
+  return left_over;
+}
+
+}  // namespace
+
+VolumeControl::VolumeControl(const Triangles& surface, const VolumeControlOptions& options)
+    : options_(options), parts_(liquid_bodies(surface)) {
+  require(options.relaxation > 2 && std::isfinite(options.relaxation), "relaxation",
+          options.relaxation, "above 2 steps");
+  require(options.damping > 0, "damping", options.damping, "above 0");
+  require(options.most_shift > 0 && options.most_shift <= 1, "most_shift", options.most_shift,
+          "above 0 and at most 1 cell");
+  require(options.most_integral >= 0 && options.most_integral <= 1, "most_integral",
+          options.most_integral, "0 to 1");
+  const BodyMeasures now = measure(surface, parts_);
+  for (std::size_t b = 0; b < parts_.count; ++b)
+    bodies_.push_back({now.volume[b], now.volume[b], now.area[b], 0});
+}
+
+void VolumeControl::moved(const Triangles& surface) {
+  if (remodelling_ || surface.triangles.size() != parts_.of_triangle.size())
+    throw InvalidInput(
+        "volume control: the surface has other triangles than before; call before_remodel and "
+        "after_remodel round what changes them");
+  const BodyMeasures now = measure(surface, parts_);
+  for (std::size_t b = 0; b < bodies_.size(); ++b) {
+    bodies_[b].volume = now.volume[b];
+    bodies_[b].area = now.area[b];
+  }
+}
+
+void VolumeControl::before_remodel(const Triangles& surface) {
+  moved(surface);
+  before_ = surface;
+  remodelling_ = true;
+}
+
+void VolumeControl::after_remodel(const Triangles& surface,
+                                  const std::function<Point(const Point&)>& move) {
+  if (!remodelling_)
+    throw InvalidInput("volume control: after_remodel needs a before_remodel first");
+  if (move)
+    for (Point& p : before_.positions) p = move(p);
+  LiquidBodies parts = liquid_bodies(surface);
+  const BodyGroups groups = body_groups(before_, parts_, surface, parts);
+  const BodyMeasures now = measure(surface, parts);
+  std::vector<Body> bodies(parts.count);
+  for (std::size_t b = 0; b < parts.count; ++b)
+    bodies[b] = {now.volume[b], now.volume[b], now.area[b], 0};
+  vanished_ += hand_on(bodies_, groups, bodies);
+  bodies_ = std::move(bodies);
+  parts_ = std::move(parts);
+  before_ = {};
+  remodelling_ = false;
+}
+
+double VolumeControl::rate(Body& body, double h, double dt) const {
+  if (!(body.volume >= h * h * h) || !(body.target > 0)) return 0;
+  const double error = body.volume / body.target - 1, per_step = 1 / options_.relaxation;
+  const auto wanted = [&] {  // volume a step
+    return -(error + gain(options_) * body.integral) * per_step * body.target;
+  };
+  const double most = options_.most_shift * h * body.area;
+  if (std::abs(wanted()) < most) {
+    const double bound = options_.most_integral / gain(options_);
+    body.integral = std::clamp(body.integral + error * per_step, -bound, bound);
+  }
+  return std::clamp(wanted(), -most, most) / (body.volume * dt);
+}
+
+std::vector<double> VolumeControl::divergence(const NearestTriangle& nearest, const Liquid& liquid,
+                                              double dt) {
+  require(dt > 0 && std::isfinite(dt), "the time step", dt, "finite and above 0");
+  std::vector<double> rates;
+  for (Body& body : bodies_) rates.push_back(rate(body, liquid.grid->h(), dt));
+  const std::vector<std::uint32_t> of_cell = bodies_of_cells(parts_, nearest, liquid);
+  std::vector<double> wanted(of_cell.size(), 0);
+  for (Slot s = 0; s < wanted.size(); ++s)
+    if (of_cell[s] != kNone) wanted[s] = rates[of_cell[s]];
+  return wanted;
+}
+
+std::size_t VolumeControl::memory() const {
+  return sizeof *this + parts_.of_triangle.capacity() * sizeof(std::uint32_t) +
+         bodies_.capacity() * sizeof(Body) + before_.positions.capacity() * sizeof(Point) +
+         before_.triangles.capacity() * sizeof(Triangle);
+}
+
+}  // namespace suture

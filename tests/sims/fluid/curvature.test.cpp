@@ -1,0 +1,159 @@
+#include <catch2/catch.hpp>
+
+#include "kernel/measures.h"
+#include "kernel/random.h"
+#include "kernel/shapes.h"
+#include "kernel/transform.h"
+#include "sims/fluid/surface_tension.h"
+#include "surgery/tracker.h"
+#include "tests/sims/balls.h"
+
+using namespace suture;
+
+namespace {
+
+/// A ball in a place that no symmetry favours, radius in cells.
+Triangles drop(double radius, double edge) {
+  return sphere({Point(0.13, 0.21, 0.07), radius, edge});
+}
+
+Point random_vector(Random& random) {
+  return {random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1)};
+}
+
+/// Vertices moved at random along the ball by up to this.
+Triangles shuffled(Triangles ball, double radius, double most) {
+  Random random(3);
+  const Point centre(0.13, 0.21, 0.07);
+  for (Point& p : ball.positions)
+    p = centre + radius * (p - centre + most * random_vector(random)).normalized();
+  return ball;
+}
+
+/// What a surgery on all of the surface makes of it, with its vertices put back onto the ball.
+Triangles remodelled(const Triangles& ball, double radius, double edge) {
+  const Point centre(0.13, 0.21, 0.07);
+  const Triangles turned = translated(rotated(translated(ball, -centre), {1, 2, 3}, 0.3),
+                                      centre);  // they cross all over
+  Tracker tracker(merged(std::vector{ball, turned}), {.cell_size = edge});
+  REQUIRE(tracker.remodel().components_after == 1);
+  tracker.improve();
+  Triangles result = tracker.surface();
+  for (Point& p : result.positions) p = centre + radius * (p - centre).normalized();
+  return result;
+}
+
+/// Largest and root mean square of the relative error of a ball's curvature.
+struct Errors {
+  double largest = 0, rms = 0;
+};
+Errors errors(const std::vector<double>& curvature, double exact) {
+  Errors e;
+  for (const double k : curvature) {
+    e.largest = std::max(e.largest, std::abs(k / exact - 1));
+    e.rms += std::pow(k / exact - 1, 2);
+  }
+  e.rms = std::sqrt(e.rms / static_cast<double>(curvature.size()));
+  return e;
+}
+
+}  // namespace
+
+TEST_CASE("the forces of tension on a closed surface sum to zero") {
+  for (const Triangles& s :
+       {drop(5, 0.7), shuffled(drop(5, 0.7), 5, 0.3), carved_ball({.edge_length = 0.05}),
+        torus({Point(3, 1, -2), 1, 0.4, 0.1})}) {
+    Point sum = Point::Zero();
+    double size = 0;
+    for (const Point& g : area_gradient(s)) {
+      sum += g;
+      size += g.norm();
+    }
+    CHECK(sum.norm() < 1e-14 * size);
+  }
+}
+
+TEST_CASE("the area's gradient is the area's change for each vertex that moves") {
+  Triangles s = carved_ball({.edge_length = 0.3});
+  const std::vector<Point> gradient = area_gradient(s);
+  Random random(5);
+  for (int i = 0; i < 20; ++i) {
+    const std::size_t v = random.below(s.positions.size());
+    const Point way = 1e-5 * random_vector(random), home = s.positions[v];
+    s.positions[v] = home + way;
+    const double after = area(s);
+    s.positions[v] = home - way;
+    const double change = after - area(s);
+    s.positions[v] = home;
+    CHECK(change == Approx(2 * way.dot(gradient[v])).epsilon(1e-6).margin(1e-12));
+  }
+}
+
+TEST_CASE("the curvature of a ball is 2/R on every triangulation, to second order") {
+  Errors random_before, surgery_before;
+  for (const double r : {5.0, 10.0, 20.0}) {
+    const double h = 1, edge = 0.7;
+    const Errors even = errors(mean_curvature(drop(r, edge), h), 2 / r);
+    const Errors random = errors(mean_curvature(shuffled(drop(r, edge), r, 0.2 * edge), h), 2 / r);
+    const Errors surgery = errors(mean_curvature(remodelled(drop(r, edge), r, edge), h), 2 / r);
+    CAPTURE(r, even.largest, random.largest, random.rms, surgery.largest, surgery.rms);
+    CHECK(even.largest < 0);
+    if (r > 5) {
+      CHECK(random.largest < random_before.largest / 2);  // 1e-4
+      CHECK(surgery.largest < surgery_before.largest / 2);
+    }
+    random_before = random;
+    surgery_before = surgery;
+  }
+}
+
+TEST_CASE("the curvature of an ellipsoid converges at every vertex") {
+  for (const double r : {5.0, 10.0, 20.0}) {
+    const Point axes = r * Point(1, 0.8, 0.6);
+    Triangles s = scaled(remodelled(drop(r, 0.7), r, 0.7), Point(1, 0.8, 0.6));
+    const Point centre = Point(0.13, 0.21, 0.07).cwiseProduct(Point(1, 0.8, 0.6));
+    const std::vector<double> curvature = mean_curvature(s, 1);
+    double largest = 0, squares = 0;
+    for (std::size_t v = 0; v < curvature.size(); ++v) {
+      const Point x = s.positions[v] - centre;
+      const double lean = x.cwiseQuotient(axes.cwiseProduct(axes)).norm();
+      const double exact =
+          (axes.squaredNorm() - x.squaredNorm()) / std::pow(axes.prod(), 2) / std::pow(lean, 3);
+      largest = std::max(largest, std::abs(curvature[v] - exact) * r / 2);
+      squares += std::pow((curvature[v] - exact) * r / 2, 2);
+    }
+    CAPTURE(r, largest, std::sqrt(squares / static_cast<double>(curvature.size())));
+    CHECK(largest < 0);
+  }
+}
+
+TEST_CASE("noise in the vertices is smoothed over a cell") {
+  Triangles s = drop(10, 0.7);
+  Random random(7);
+  for (Point& p : s.positions) p += 0.01 * random_vector(random);
+  const Errors smooth = errors(mean_curvature(s, 1), 0.2);
+  const Errors raw = errors(mean_curvature(s, 1, {.smoothing = 0}), 0.2);
+  CAPTURE(smooth.rms, smooth.largest, raw.rms, raw.largest);
+  CHECK(smooth.rms < 0);
+}
+
+TEST_CASE("a drop that sits on a wall has the curvature of the ball it is half of") {
+  Triangles s = subdivided_ball(4, 5);
+  std::vector<std::uint8_t> on_solid;
+  for (Point& p : s.positions) {
+    p[2] = std::max(p[2], 0.0);
+    on_solid.push_back(p[2] == 0);
+  }
+  const std::vector<double> free = mean_curvature(s, 1);
+  const std::vector<double> sitting = mean_curvature(s, 1, {.on_solid = &on_solid});
+  double worst = 0, worst_free = 0, middle = 0;
+  for (std::size_t v = 0; v < s.positions.size(); ++v) {
+    const bool up = std::hypot(s.positions[v][0], s.positions[v][1]) > 4.999 || on_solid[v] == 0;
+    if (up) worst = std::max(worst, std::abs(sitting[v] / 0.4 - 1));
+    if (up) worst_free = std::max(worst_free, std::abs(free[v] / 0.4 - 1));
+    if (!up) middle = std::max(middle, std::abs(sitting[v]));
+  }
+  CHECK(worst < 0);
+  CHECK(worst_free > 10);
+  CHECK(middle == 0);
+}

@@ -1,0 +1,168 @@
+#include "sims/fluid/fluid.h"
+
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <numbers>
+
+#include "kernel/audit.h"
+#include "kernel/errors.h"
+#include "kernel/measures.h"
+#include "kernel/shapes.h"
+#include "kernel/transform.h"
+#include "sims/rivals/mesh_tracker.h"
+
+using namespace suture;
+
+namespace {
+
+Fluid::Initial at_rest() {
+  return [](const Point&) { return Point(Point::Zero()); };
+}
+
+/// Vertices that are only moved.
+std::unique_ptr<SurfaceTracker> markers(const Triangles& surface, double cell) {
+  TrackerOptions options;
+  options.cell_size = cell;
+  return make_mesh_tracker(surface, options, {0, 0});
+}
+
+/// Remodelled and improved at settle().
+std::unique_ptr<SurfaceTracker> tracked(const Triangles& surface, double cell) {
+  TrackerOptions options;
+  options.cell_size = cell;
+  options.origin = Point(0.011, 0.013, 0.007) * cell;
+  options.quality.keep_features = false;
+  return make_mesh_tracker(surface, options, {kWhenItSettles, kWhenItSettles});
+}
+
+SolidOptions container(const Point& low, const Point& high) {
+  SolidOptions s;
+  s.box = {low, high};
+  return s;
+}
+
+/// Water in a tank of 1 × 1 × 0.5 with its surface at `height`, which no plane of the grid is at.
+struct Tank {
+  Triangles water;
+  FluidOptions options;
+
+  Tank(double height, double cell) {
+    water = box({.centre = {0.5, height / 2, 0.25}, .size = {1, height, 0.5}, .edge_length = cell});
+    options.cell_size = cell;
+    options.gravity = {0, -10, 0};
+    options.pressure.tolerance = 1e-12;
+    options.solids = {container({0, 0, 0}, {1, 1, 0.5})};
+  }
+};
+
+double largest_velocity(const Fluid& fluid, const Triangles& surface) {
+  double largest = 0;
+  for (const Point& p : surface.positions) largest = std::max(largest, fluid.velocity(p).norm());
+  return largest;
+}
+
+std::vector<std::string> modules(const Fluid& fluid) {
+  std::vector<std::string> names;
+  for (const ModuleCost& cost : fluid.costs()) names.push_back(cost.name);
+  return names;
+}
+
+}  // namespace
+
+TEST_CASE("still water stays still, at any height of its surface") {
+  for (const double height : {0.437, 0.5, 0.56}) {
+    const Tank tank(height, 0.125);
+    Fluid fluid(tank.options, at_rest());
+    const auto surface = markers(tank.water, 0.125);
+    for (int i = 0; i < 50; ++i) fluid.step(*surface, 0.02);
+    CAPTURE(height);
+    CHECK(largest_velocity(fluid, surface->surface()) < 1e-6 * std::sqrt(10 * height));
+    CHECK(volume(surface->surface()) == Approx(height * 0.5).epsilon(1e-6));
+  }
+}
+
+TEST_CASE("what falls freely is where the parabola says, whatever the step") {
+  const Triangles ball = sphere({.radius = 0.3, .edge_length = 0.15});
+  for (const double dt : {0.1, 0.025}) {
+    FluidOptions options;
+    options.cell_size = 0.1;
+    options.gravity = {0, -10, 0};
+    Fluid fluid(options, [](const Point&) { return Point(1, 0, 0); });
+    const auto surface = markers(ball, 0.1);
+    for (int i = 0; i < std::lround(0.4 / dt); ++i) fluid.step(*surface, dt);
+    for (std::size_t v = 0; v < ball.positions.size(); ++v) {
+      const Point should = ball.positions[v] + Point(0.4, -5 * 0.4 * 0.4, 0);
+      REQUIRE((surface->surface().positions[v] - should).norm() < 1e-9);
+    }
+  }
+}
+
+TEST_CASE("what a scene does not name has no arrays and takes no time") {
+  FluidOptions options;
+  options.cell_size = 0.1;
+  const Triangles ball = sphere({.radius = 0.3, .edge_length = 0.15});
+  const auto modules_of = [&](const FluidOptions& o) {
+    Fluid fluid(o, at_rest());
+    const auto surface = markers(ball, 0.1);
+    for (int i = 0; i < 2; ++i) fluid.step(*surface, 0.01);
+    for (const ModuleCost& cost : fluid.costs()) {
+      CAPTURE(cost.name);
+      if (cost.name != "surface" && cost.name != "extrapolation") CHECK(cost.bytes > 0);
+      CHECK(cost.calls > 0);
+    }
+    return modules(fluid);
+  };
+  const std::vector<std::string> least = {"grid", "advection", "pressure", "extrapolation",
+                                          "surface"};
+  CHECK(modules_of(options) == least);
+  const auto with = [&](const char* name, auto change) {
+    FluidOptions o = options;
+    change(o);
+    std::vector<std::string> names = modules_of(o);
+    CAPTURE(name);
+    CHECK(std::count(names.begin(), names.end(), name) == 1);
+    CHECK(names.size() == least.size() + 1);
+  };
+  with("viscosity", [](FluidOptions& o) { o.viscosity = 1; });
+  with("surface_tension", [](FluidOptions& o) { o.surface_tension = 0.1; });
+  with("volume_control", [](FluidOptions& o) { o.volume_control.emplace(); });
+  with("solids", [](FluidOptions& o) { o.solids = {container({-1, -1, -1}, {1, 1, 1})}; });
+}
+
+TEST_CASE("a dam breaks, stays closed and in its tank, and keeps its volume and energy in bounds") {
+  Tank tank(0.5, 1.0 / 16);
+  tank.options.pressure.tolerance = 1e-6;
+  tank.water = box({.centre = {0.2, 0.25, 0.25}, .size = {0.4, 0.5, 0.5}, .edge_length = 1.0 / 16});
+  Fluid fluid(tank.options, at_rest());
+  const auto surface = tracked(tank.water, 1.0 / 16);
+  double front = 0;
+  for (int frame = 0; frame < 20; ++frame) {
+    const int steps = fluid.steps_in(0.02);
+    for (int i = 0; i < steps; ++i) fluid.step(*surface, 0.02 / steps);
+    surface->settle();
+    REQUIRE(audit(surface->surface()).closed_manifold());
+    // Nothing falls from higher than the column, so nothing is faster than √(2gh).
+    CHECK(largest_velocity(fluid, surface->surface()) < 1.05 * std::sqrt(2 * 10 * 0.5));
+    for (const Point& p : surface->surface().positions) {
+      REQUIRE(p[1] > -0.01);
+      REQUIRE(p[0] < 1.01);
+      front = std::max(front, p[0]);
+    }
+  }
+  CHECK(front > 0.95);  // reaches the other wall by 0.4 s
+  CHECK(volume(surface->surface()) == Approx(0.1).epsilon(0.05));
+}
+
+TEST_CASE("options that cannot work are refused with what is wrong") {
+  const auto refused = [](auto change, const char* what) {
+    FluidOptions options;
+    options.cell_size = 0.1;
+    change(options);
+    CHECK_THROWS_WITH(Fluid(options, at_rest()), Catch::Contains(what));
+  };
+  refused([](FluidOptions& o) { o.cell_size = 0; }, "cell_size");
+  refused([](FluidOptions& o) { o.density = -1; }, "density");
+  refused([](FluidOptions& o) { o.gravity[1] = std::nan(""); }, "gravity");
+  refused([](FluidOptions& o) { o.cfl = 0; }, "cfl");
+  refused([](FluidOptions& o) { o.solids = {container({1, 0, 0}, {0, 1, 1})}; }, "box");
+}

@@ -1,0 +1,154 @@
+#include <catch2/catch.hpp>
+
+#include "kernel/errors.h"
+#include "kernel/measures.h"
+#include "kernel/shapes.h"
+#include "kernel/transform.h"
+#include "sims/fluid/body_groups.h"
+#include "sims/fluid/volume_control.h"
+#include "surgery/tracker.h"
+
+using namespace suture;
+
+namespace {
+
+Triangles ball(const Point& centre, double radius, double edge = 0.1) {
+  return sphere({centre, radius, edge});
+}
+
+Triangles together(const std::vector<Triangles>& surfaces) { return merged(surfaces); }
+
+/// Inside out: what bounds a bubble.
+Triangles bubble(const Point& centre, double radius, double edge = 0.1) {
+  Triangles s = ball(centre, radius, edge);
+  for (Triangle& t : s.triangles) std::swap(t[1], t[2]);
+  return s;
+}
+
+double total_target(const VolumeControl& control) {
+  double sum = 0;
+  for (const VolumeControl::Body& b : control.bodies()) sum += b.target;
+  return sum;
+}
+
+/// Moves vertices by a function of where they are.
+template <class F>
+void displace(Tracker& tracker, F f) {
+  std::vector<Point> to = tracker.surface().positions;
+  for (Point& p : to) p = f(p);
+  tracker.displace(to);
+}
+
+SurgeryReport remodel(Tracker& tracker, VolumeControl& control) {
+  control.before_remodel(tracker.surface());
+  const SurgeryReport report = tracker.remodel();
+  tracker.improve();
+  control.after_remodel(tracker.surface());
+  return report;
+}
+
+}  // namespace
+
+TEST_CASE("a bubble belongs to the drop that it is in, and a drop in the bubble to nobody") {
+  const Triangles s =
+      together({bubble({0, 0, 0}, 0.6), ball({0, 0, 0}, 1), ball({0.1, 0, 0}, 0.3),
+                bubble({5, 0.1, 0}, 0.2), bubble({5, -0.4, 0}, 0.2), ball({5, 0, 0}, 1)});
+  const LiquidBodies bodies = liquid_bodies(s);
+  REQUIRE(bodies.count == 3);
+  const BodyMeasures m = measure(s, bodies);
+  const auto of = [](const Triangles& t) { return volume(t); };
+  CHECK(m.volume[0] == Approx(of(ball({0, 0, 0}, 1)) - of(ball({0, 0, 0}, 0.6))).epsilon(1e-13));
+  CHECK(m.volume[1] == Approx(of(ball({0.1, 0, 0}, 0.3))).epsilon(1e-13));
+  CHECK(m.volume[2] ==
+        Approx(of(ball({5, 0, 0}, 1)) - 2 * of(ball({5, 0, 0}, 0.2))).epsilon(1e-13));
+  CHECK(m.area[1] == Approx(area(ball({0.1, 0, 0}, 0.3))).epsilon(1e-13));
+}
+
+TEST_CASE("two drops that merge hand their targets on") {
+  Tracker tracker(together({ball({-1.1, 0, 0}, 1), ball({1.1, 0, 0}, 1), ball({0, 4, 0}, 0.5)}),
+                  {.cell_size = 0.1});
+  VolumeControl control(tracker.surface());
+  REQUIRE(control.bodies().size() == 3);
+  const double before = total_target(control), small = control.bodies()[2].target;
+  displace(tracker, [](Point p) {
+    if (p[1] < 2) p[0] -= std::copysign(0.13, p[0]);
+    return Point(0.99 * p);
+  });
+  control.moved(tracker.surface());
+  CHECK(control.bodies()[0].volume == Approx(std::pow(0.99, 3) * control.bodies()[0].target));
+  const SurgeryReport report = remodel(tracker, control);
+  REQUIRE(report.outcome == Outcome::committed);
+  REQUIRE(control.bodies().size() == 2);
+  CHECK(total_target(control) == Approx(before).epsilon(1e-15));
+  CHECK(control.bodies()[0].target + control.bodies()[1].target == Approx(before).epsilon(1e-15));
+  CHECK(std::min(control.bodies()[0].target, control.bodies()[1].target) == small);
+  CHECK(control.vanished() == 0);
+}
+
+TEST_CASE("a drop that splits shares its target out by volume") {
+  Triangles start = dumbbell({{0.01, 0.05, 0.03}, 0.5, 2.4, 0.005, 0.2, 0.05});
+  for (Point& p : start.positions)
+    if (p[2] > 0) p *= 1.1;
+  Tracker tracker(start, {.cell_size = 0.1});
+  VolumeControl control(tracker.surface());
+  const double before = total_target(control);
+  displace(tracker, [](const Point& p) { return Point(0.99 * p); });
+  control.moved(tracker.surface());
+  const SurgeryReport report = remodel(tracker, control);
+  REQUIRE(report.outcome == Outcome::committed);
+  CHECK(total_target(control) + control.vanished() == Approx(before).epsilon(1e-15));
+  REQUIRE(control.bodies().size() >= 2);
+  CHECK(control.vanished() == 0);
+  const auto& [a, b] = std::tie(control.bodies()[0], control.bodies()[1]);
+  CHECK(a.target / a.volume == Approx(b.target / b.volume).epsilon(1e-12));
+  CHECK(std::abs(a.volume / b.volume - 1) > 0.2);
+  CHECK(a.target > 1.02 * a.volume);
+}
+
+TEST_CASE("bodies that share no vertex are told apart by where they have come to") {
+  // Small drops that fly further than they are wide, and each to where the other was.
+  const auto drops = [](double first, double second, int frequency) {
+    return together({sphere({Point(0, 0, 0), first, 1, frequency}),
+                     sphere({Point(1, 0, 0), second, 1, frequency})});
+  };
+  VolumeControl control(drops(0.11, 0.1, 3));
+  control.moved(drops(0.1, 0.1, 3));
+  const double larger = control.bodies()[0].target, smaller = control.bodies()[1].target;
+  VolumeControl unaware = control;
+  const Triangles after = translated(drops(0.1, 0.1, 4), {1, 0, 0});
+  for (VolumeControl* c : {&control, &unaware}) c->before_remodel(drops(0.1, 0.1, 3));
+  control.after_remodel(after, [](const Point& p) { return Point(p + Point(1, 0, 0)); });
+  REQUIRE(control.bodies().size() == 2);
+  CHECK(control.bodies()[0].target == larger);
+  CHECK(control.bodies()[1].target == smaller);
+  CHECK(control.vanished() == 0);
+  unaware.after_remodel(after);  // takes the first for the second, and the second for a new one
+  CHECK(unaware.bodies()[0].target == smaller);
+  CHECK(unaware.bodies()[1].target == unaware.bodies()[1].volume);
+  CHECK(unaware.vanished() == larger);
+}
+
+TEST_CASE("a drop swallowed whole by a surgery gives its target to what swallowed it") {
+  const Triangles large = ball({0, 0, 0}, 1), small = ball({1.05, 0, 0}, 0.2, 0.05);
+  Tracker tracker(together({large, small}), {.cell_size = 0.1});
+  VolumeControl control(tracker.surface());
+  const double before = total_target(control);
+  const SurgeryReport report = remodel(tracker, control);
+  REQUIRE(report.outcome == Outcome::committed);
+  REQUIRE(control.bodies().size() == 1);
+  CHECK(control.bodies()[0].target == Approx(before).epsilon(1e-15));
+  CHECK(control.vanished() == 0);
+}
+
+TEST_CASE("volume control refuses what it cannot make sense of") {
+  const Triangles s = ball({0, 0, 0}, 1);
+  CHECK_THROWS_AS(VolumeControl(s, {.relaxation = 2}), InvalidInput);
+  CHECK_THROWS_AS(VolumeControl(s, {.damping = 0}), InvalidInput);
+  CHECK_THROWS_AS(VolumeControl(s, {.most_shift = 0}), InvalidInput);
+  CHECK_THROWS_AS(VolumeControl(s, {.most_integral = -1}), InvalidInput);
+  VolumeControl control(s);
+  CHECK_THROWS_AS(control.moved(ball({0, 0, 0}, 1, 0.2)), InvalidInput);
+  CHECK_THROWS_AS(control.after_remodel(s), InvalidInput);
+  control.before_remodel(s);
+  CHECK_THROWS_AS(control.moved(s), InvalidInput);
+}
