@@ -70,11 +70,21 @@ void read_effect(TomlTable& fluid, const std::string& name, Read read) {
 }
 
 void read_effects(TomlTable& fluid, FluidOptions& o) {
-  fluid.allow_tables({"viscosity", "surface_tension", "volume_control"});
+  fluid.allow_tables({"viscosity", "viscoelasticity", "surface_tension", "volume_control"});
   read_effect(fluid, "viscosity", [&](Keys& keys) {
     o.viscosity = keys.number("viscosity", Range::at_least(0));
     o.no_slip = keys.flag("no_slip", o.no_slip);
     o.viscous_solver = read_solver(keys, o.viscous_solver);
+  });
+  read_effect(fluid, "viscoelasticity", [&](Keys& keys) {
+    ElasticOptions e;
+    e.density = o.density;
+    e.modulus = keys.number("modulus", Range::at_least(0));
+    e.yield_strain = keys.number("yield_strain", Range::above(0), e.yield_strain);
+    e.flow_rate = keys.number("flow_rate", Range::at_least(0), e.flow_rate);
+    e.relaxation_time = keys.number("relaxation_time", Range::above(0), e.relaxation_time);
+    e.no_slip = keys.flag("no_slip", e.no_slip);
+    o.viscoelasticity = e;
   });
   read_effect(fluid, "surface_tension",
               [&](Keys& keys) { o.surface_tension = keys.number("tension", Range::at_least(0)); });
@@ -90,10 +100,10 @@ void read_effects(TomlTable& fluid, FluidOptions& o) {
 
 }  // namespace
 
-std::optional<FluidOptions> read_fluid(TomlTable& scene, const TrackerOptions& tracker,
-                                       const std::filesystem::path& folder,
-                                       const SceneSources& sources,
-                                       std::vector<std::string>& notes) {
+std::shared_ptr<const FluidOptions> read_fluid(TomlTable& scene, const TrackerOptions& tracker,
+                                               const std::filesystem::path& folder,
+                                               const SceneSources& sources,
+                                               std::vector<std::string>& notes) {
   const auto at = scene.tables.find("fluid");
   const auto solids = scene.lists.find("solids");
   if (at == scene.tables.end()) {
@@ -101,7 +111,7 @@ std::optional<FluidOptions> read_fluid(TomlTable& scene, const TrackerOptions& t
       solids->second.front().keys.refuse("kind",
                                          "makes a solid, which only a scene with a table "
                                          "[fluid] can have");
-    return std::nullopt;
+    return nullptr;
   }
   TomlTable& fluid = at->second;
   Keys& keys = fluid.keys;
@@ -119,7 +129,7 @@ std::optional<FluidOptions> read_fluid(TomlTable& scene, const TrackerOptions& t
   if (solids != scene.lists.end())
     for (TomlTable& solid : solids->second)
       o.solids.push_back(read_solid(solid, folder, sources, notes));
-  return o;
+  return std::make_shared<const FluidOptions>(std::move(o));
 }
 
 }  // namespace suture

@@ -18,8 +18,10 @@ namespace {
 constexpr std::size_t kMostBoxes = 250;
 constexpr std::size_t kCellsPerRow = 4;
 
-/// As many iterations with diagonal scaling cost what AMG does in all.
-constexpr int kDiagonalIterations = 120;
+/// As many iterations with diagonal scaling cost what AMG does in all, for matrices of diffusion.
+constexpr int kDiagonalIterations = 140;
+/// After so many it is seen whether they will do.
+constexpr int kTrial = 40;
 
 /// The residual that conjugate gradients carry along may say less than the true one, by rounding.
 constexpr double kDrift = 1.1;
@@ -183,7 +185,8 @@ SolveReport solve(const SevenPoint& matrix, const std::vector<double>& right,
     solve_boxes(matrix, boxes, right, x, sizes.scale(), options, report.iterations);
     report.residual = residual(matrix, right, x, sizes);
   }
-  if (!(report.residual <= kDrift * options.tolerance) && report.iterations < options.most_iterations) {
+  if (!(report.residual <= kDrift * options.tolerance) &&
+      report.iterations < options.most_iterations) {
     solve_by_rows(matrix, right, x, sizes.scale(),
                   with_iterations(options, options.most_iterations - report.iterations),
                   report.iterations);
@@ -196,6 +199,7 @@ SolveReport solve(const SparseRows& matrix, const std::vector<double>& right,
                   std::vector<double>& x, const SolverOptions& options) {
   const std::size_t rows = matrix.rows();
   require_size(right.size() == rows, "the right side");
+  require_size(matrix.component.empty() || matrix.component.size() == rows, "the component");
   if (x.size() != rows) x.assign(rows, 0);
   require_finite(x);
   Sizes sizes;
@@ -212,16 +216,18 @@ SolveReport solve(const SparseRows& matrix, const std::vector<double>& right,
   }
   report.residual = residual(matrix, right, x, sizes);
   if (report.residual <= options.tolerance) return report;
-  const int first = std::min(kDiagonalIterations, options.most_iterations);
-  solve_rows(matrix, right, x, sizes.scale(), with_iterations(options, first),
-             RowsMethod::kDiagonal, report.iterations);
-  report.residual = residual(matrix, right, x, sizes);
-  if (!(report.residual <= kDrift * options.tolerance) && report.iterations < options.most_iterations) {
-    solve_rows(matrix, right, x, sizes.scale(),
-               with_iterations(options, options.most_iterations - report.iterations),
-               RowsMethod::kAmg, report.iterations);
+  const auto go_on = [&](RowsMethod method, int most) {
+    most = std::min(most, options.most_iterations - report.iterations);
+    if (report.residual <= kDrift * options.tolerance || most <= 0) return;
+    solve_rows(matrix, right, x, sizes.scale(), with_iterations(options, most), method,
+               report.iterations);
     report.residual = residual(matrix, right, x, sizes);
-  }
+  };
+  go_on(RowsMethod::kDiagonal, kTrial);
+  const double needed = kTrial * std::log(options.tolerance) / std::log(report.residual);
+  if (report.residual < 1 && needed <= kDiagonalIterations)
+    go_on(RowsMethod::kDiagonal, kDiagonalIterations - kTrial);
+  go_on(RowsMethod::kAmg, options.most_iterations);
   return report;
 }
 

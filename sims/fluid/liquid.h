@@ -67,7 +67,7 @@ struct Liquid {
 
 /// Air between a wall and liquid is none where it is thinner than this, in cells: it would be a
 /// place without pressure under water.
-inline constexpr double kThinnestAir = 0.25;
+inline constexpr double kThinnestAir = 0.5;
 
 /// A cell whose centre is in a solid, or in air as thin as that, is liquid where the plane of the
 /// nearest free triangle says so, or, with none within kNear cells, where the liquid touches the

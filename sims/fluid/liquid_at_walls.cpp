@@ -9,18 +9,33 @@
 namespace suture {
 namespace {
 
+/// A triangle so near a wall, in cells, is none whose plane the surface has: it lies along the
+/// wall, or is one of those that round off the edge where the surface meets it.
+constexpr double kTouching = 0.25;
+
+/// A little further from it, one that faces the wall within 60° lies along it.
+constexpr double kFacing = -0.5;
+
+/// The normal of a wall is taken over this part of a cell.
+constexpr double kNormalStep = 0.01;
+
 /// The triangles near solids that do not lie along them: the surface that has a pressure.
 class FreeSurface {
  public:
   FreeSurface(const Triangles& surface, const Solids& solids, double t, double h) : h_(h) {
-    const double touch = kThinnestAir * h, reach = (2 * kNear + 1) * h;
+    const double reach = (2 * kNear + 1) * h;
     for (const Triangle& triangle : surface.triangles) {
       const std::array<Point, 3> corner{surface.positions[triangle[0]],
                                         surface.positions[triangle[1]],
                                         surface.positions[triangle[2]]};
-      const double d = solids.distance((corner[0] + corner[1] + corner[2]) / 3, t);
-      if (d <= touch || d > reach) continue;
-      if ((corner[1] - corner[0]).cross(corner[2] - corner[0]).stableNorm() == 0) continue;
+      const Point middle = (corner[0] + corner[1] + corner[2]) / 3;
+      const double d = solids.distance(middle, t);
+      if (d > reach || d <= kTouching * h) continue;
+      const Point across = (corner[1] - corner[0]).cross(corner[2] - corner[0]);
+      if (across.stableNorm() == 0) continue;
+      if (d <= kThinnestAir * h &&
+          across.stableNormalized().dot(solids.normal(middle, t, kNormalStep * h)) < kFacing)
+        continue;
       const auto first = static_cast<std::uint32_t>(free_.positions.size());
       free_.triangles.push_back({first, first + 1, first + 2});
       free_.positions.insert(free_.positions.end(), corner.begin(), corner.end());

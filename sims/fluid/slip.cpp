@@ -11,8 +11,9 @@ namespace {
 /// changes over, long beside rounding.
 constexpr double kNormalStep = 1e-3;
 
-/// A face deeper in a solid than this, in cells, takes the solid's own velocity: no liquid is near.
-constexpr double kDeepest = 3;
+/// A face deeper in a solid than this, in cells, takes the solid's own velocity: what is asked for
+/// outside of a solid does not meet it.
+constexpr double kDeepest = 2;
 
 /// A corner takes a push out of each of its sides, and one more for rounding.
 constexpr int kMostPushes = 4;
@@ -39,9 +40,11 @@ void constrain(MacVelocity& velocity, const SolidFaces& faces, const Solids& sol
       const Point normal = solids.normal(p, t, kNormalStep * h), own = solids.velocity(p, t);
       double u = own[axis];
       if (depth <= kDeepest * h) {
-        const Point v = velocity.at(p + 2 * depth * normal, own);
-        u = depth == 0 ? (v - across(v - own, normal))[axis]
-                       : (v - 2 * across(v - own, normal))[axis];
+        // Across the wall linear from the liquid through the solid's at its surface. The place in
+        // the liquid is so far off that, at a wall along the grid, no closed face has a part in it.
+        const double off = std::max(h, 2 * depth);
+        const Point v = velocity.at(p + off * normal, own);
+        u = (v - off / (off - depth) * across(v - own, normal))[axis];
       }
       changed[axis].push_back(u);
       where[axis].push_back(s);

@@ -29,7 +29,9 @@ double distance_to_box(const Point& p, const Box& box) {
   Point beyond;
   for (int a = 0; a < 3; ++a) beyond[a] = std::max(box.low[a] - p[a], p[a] - box.high[a]);
   const double most = beyond.maxCoeff();
-  return most <= 0 ? most : beyond.cwiseMax(0).stableNorm();
+  if (most <= 0) return most;
+  const Point outside = beyond.cwiseMax(0);
+  return outside.sum() == most ? most : outside.stableNorm();  // mostly beyond one side alone
 }
 
 struct BoxShape : Solid::Shape {

@@ -53,7 +53,7 @@ TEST_CASE(
       return {p[0] - 0.4, 0, -2 * p[2]};
     });
     for (const double x : {0.15, 0.35, 0.66})
-      CHECK(std::abs(v.at({x, 0.4, floor})[2]) < 0.02);  // beside 0.2 a cell above
+      CHECK(std::abs(v.at({x, 0.4, floor})[2]) < 3e-3);  // 8e-4 measured; 0.2 a cell above
   }
 }
 
@@ -77,12 +77,12 @@ TEST_CASE("round a ball the velocity across is small, and smaller on a finer gri
     double sum = 0;
     const int points = 300;
     for (int n = 0; n < points; ++n) {
-      Point p(random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1));
+      Point p{random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1)};
       p *= 0.5 / p.norm();
       sum += std::pow(v.at(p).dot(p) / 0.5, 2);
     }
     const double rms = std::sqrt(sum / points);
-    CHECK(rms < h);
+    CHECK(rms < h);  // 0.085 and 0.039 measured
     if (before > 0) CHECK(rms < 0.7 * before);
     before = rms;
   }
@@ -94,8 +94,8 @@ TEST_CASE("a point outside is kept outside, one inside comes out, and else nothi
   Random random(2);
   int changed = 0;
   for (int n = 0; n < 2000; ++n) {
-    Point p(random.uniform(-2.2, 2.2), random.uniform(-2.2, 2.2), random.uniform(-2.2, 2.2));
-    Point v(random.uniform(-5, 5), random.uniform(-5, 5), random.uniform(-5, 5));
+    Point p{random.uniform(-2.2, 2.2), random.uniform(-2.2, 2.2), random.uniform(-2.2, 2.2)};
+    Point v{random.uniform(-5, 5), random.uniform(-5, 5), random.uniform(-5, 5)};
     const double dt = 0.1;
     if (solids.distance(p, 0) < -0.1) continue;
     const Point kept = kept_out(solids, p, v, 0, dt, 0.1);
