@@ -23,6 +23,9 @@ using Vector = Eigen::VectorXd;
 /// The largest cotangent that couples vertices, that of 14°: the tracker's improvement leaves no
 /// smaller angle, and what a sliver couples more firmly only takes the solver longer.
 constexpr double kMostCotangent = 4;
+/// One over twice the area of a triangle with edges of 0.7 cells: a mesh of larger ones is filtered
+/// as a grid would be that is coarser by as much.
+constexpr double kCoarse = 2.3;
 /// × a third of the triangles at a vertex: the least of their area that is its own.
 constexpr double kLeastShare = 0.25;
 /// × h²: the least area of a vertex; one without an area of its own follows its neighbours.
@@ -72,7 +75,8 @@ struct Forms {
         third(share) {}
 };
 
-void add_triangle(const Shape& shape, const Triangle& t, double spread, Forms& forms) {
+void add_triangle(const Shape& shape, const Triangle& t, double smoothing, Forms& forms) {
+  const double spread = smoothing * smoothing * std::max(1.0, kCoarse * shape.twice_area);
   for (int k = 0; k < 3; ++k) {
     const std::uint32_t a = t[(k + 1) % 3], b = t[(k + 2) % 3];
     forms.area_gradient[t[k]] += shape.gradient(k);
@@ -90,13 +94,12 @@ void add_triangle(const Shape& shape, const Triangle& t, double spread, Forms& f
 Forms forms_of(const Triangles& surface, double h, const CurvatureOptions& options) {
   Forms forms(surface.positions.size());
   forms.coupling.reserve(12 * surface.triangles.size());
-  const double spread = options.smoothing * options.smoothing;
   for (const Triangle& t : surface.triangles) {
     const Shape shape(surface, t, h);
     if (wet(t, options.on_solid))
       for (const std::uint32_t v : t) forms.solid[v] += shape.normal;
     else if (shape.twice_area > 0)
-      add_triangle(shape, t, spread, forms);
+      add_triangle(shape, t, options.smoothing, forms);
   }
   return forms;
 }
