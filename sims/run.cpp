@@ -3,13 +3,17 @@
 
 #include <fmt/format.h>
 
+#include <Eigen/Geometry>
 #include <nlohmann/json.hpp>
+
+#include <algorithm>
 
 #include "kernel/errors.h"
 #include "kernel/files.h"
 #include "kernel/measures.h"
 #include "kernel/mesh_io.h"
 #include "sims/flows/vertex_values.h"
+#include "sims/fluid/fluid.h"
 #include "sims/method_stepper.h"
 #include "sims/output/colours.h"
 #include "sims/output/render.h"
@@ -31,7 +35,8 @@ class Run : public StepWatcher {
       : scene_(scene),
         folder_(folder),
         stepper_(make_steps(scene, with_reproducers(scene.tracker, folder))),
-        freshness_(scene.surface.positions.size(), 0.0) {
+        freshness_(scene.surface.positions.size(), 0.0),
+        resampled_(freshness_) {
     fading_ = scene.output.patch_fading > 0 ? scene.output.patch_fading : scene.time.end / 10;
     if (!scene.output.picture.fit && scene.output.fit == Fit::first)
       scene.output.picture.fit = bounding_box(scene.surface.positions);
@@ -109,17 +114,35 @@ class Run : public StepWatcher {
       summary_.merges += r.components_before - r.components_after;
     else
       summary_.splits += r.components_after - r.components_before;
-    freshness_ = carried(freshness_, 0.0, surface(), r.vertex_map);
+    carry(r.vertex_map);
     std::vector<char> old(freshness_.size(), 0);
     for (const std::uint32_t v : r.vertex_map)
       if (v != kNone) old[v] = 1;
     for (std::size_t v = 0; v < old.size(); ++v)
-      if (old[v] == 0) freshness_[v] = 1;
+      if (old[v] == 0) freshness_[v] = resampled_[v] = 1;
   }
 
   void improved(const QualityReport& r) override {
     note("improvements", to_json(r));
-    freshness_ = carried(freshness_, 0.0, surface(), r.vertex_map);
+    carry(r.vertex_map);
+  }
+
+  void carry(const std::vector<std::uint32_t>& vertex_map) {
+    freshness_ = carried(freshness_, 0.0, surface(), vertex_map);
+    resampled_ = carried(resampled_, 0.0, surface(), vertex_map);
+  }
+
+  /// The share of the area whose triangles have no corner that surgery made.
+  double untouched_area() const {
+    double untouched = 0, all = 0;
+    for (const auto& t : surface().triangles) {
+      const Point& a = surface().positions[t[0]];
+      const double area =
+          (surface().positions[t[1]] - a).cross(surface().positions[t[2]] - a).norm();
+      all += area;
+      if (std::max({resampled_[t[0]], resampled_[t[1]], resampled_[t[2]]}) < 0.5) untouched += area;
+    }
+    return all > 0 ? untouched / all : 1;
   }
 
   /// Adds what a call of the tracker did to the report's list of this name.
@@ -139,6 +162,7 @@ class Run : public StepWatcher {
     now["time"] = stepper_->time();
     now["seconds"] = watch_.lap();
     if (stepper_->fluid() != nullptr) now["fluid"] = to_json(stepper_->fluid()->last());
+    if (is_mesh()) now["untouched_area"] = untouched_area();
     const auto parts = now["components"].get<std::size_t>();
     const OutputOptions& output = scene_.output;
     const bool mesh = output.meshes.wants(index, scene_.time) && !stepper_->vanished();
@@ -190,6 +214,7 @@ class Run : public StepWatcher {
   fs::path folder_;
   std::unique_ptr<Steps> stepper_;
   std::vector<double> freshness_;  ///< of each vertex: 1 as surgery made it, fading to 0
+  std::vector<double> resampled_;  ///< of each vertex: 1 as surgery made it, and it stays so
   double fading_ = 0;
   std::int64_t current_ = 0;  ///< the step at work
   Stopwatch watch_;

@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "sims/flows/motion.h"
-#include "sims/fluid/fluid_options.h"
 #include "sims/output/picture.h"
 #include "sims/placed_shape.h"
 #include "sims/rivals/method.h"
@@ -17,6 +16,8 @@
 #include "surgery/options.h"
 
 namespace suture {
+
+struct FluidOptions;
 
 /// A motion and the time at which the next one takes over.
 struct Phase {
@@ -67,12 +68,12 @@ struct MeasureOptions {
 struct Scene {
   std::filesystem::path file;
   std::string title;
-  Triangles surface;                ///< the union of the bodies, one after another
-  std::vector<PlacedShape> shapes;  ///< the bodies themselves
-  std::vector<std::string> notes;   ///< what was done to get there: fallbacks and repairs
-  std::vector<Phase> phases;        ///< empty where a fluid moves the surface
-  std::optional<FluidOptions> fluid;
-  std::vector<Point> velocities;  ///< of the surface's vertices, as their bodies begin
+  Triangles surface;                          ///< the union of the bodies, one after another
+  std::vector<PlacedShape> shapes;            ///< the bodies themselves
+  std::vector<std::string> notes;             ///< what was done to get there: fallbacks and repairs
+  std::vector<Phase> phases;                  ///< empty where a fluid moves the surface
+  std::shared_ptr<const FluidOptions> fluid;  ///< null: none
+  std::vector<Point> velocities;              ///< of the surface's vertices, as their bodies begin
   TrackerOptions tracker;
   MethodOptions method;
   TimeOptions time;

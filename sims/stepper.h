@@ -3,11 +3,12 @@
 
 #include <cstdint>
 
-#include "sims/fluid/fluid.h"
 #include "sims/rivals/surface_tracker.h"
 #include "sims/scene.h"
 
 namespace suture {
+
+class Fluid;
 
 /// When step `index`, counted from 1, ends.
 double step_end(const TimeOptions& time, std::int64_t index);

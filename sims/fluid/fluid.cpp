@@ -67,6 +67,7 @@ struct Fluid::State {
   Solids solids;
   std::unique_ptr<SparseGrid> grid;  ///< what velocity and liquid are on
   Liquid liquid;
+  SolidFaces faces;
   MacVelocity velocity;
   double time = 0, last_dt = 0;
   FluidStep last;
@@ -102,8 +103,8 @@ void Fluid::State::carry(SurfaceTracker& surface, double carried_for, double dt)
     old = std::exchange(grid, std::move(next));
   });
   costs.timed("advection", [&] {
-    velocity = old ? carried(velocity, liquid, carried_for, options.advection)
-                   : sampled(initial, liquid);
+    velocity =
+        old ? carried(velocity, liquid, carried_for, options.advection) : sampled(initial, liquid);
   });
   costs.holds("grid", liquid.memory());
   costs.holds("advection", 2 * memory(velocity));
@@ -159,7 +160,6 @@ void Fluid::State::bring_forward(SurfaceTracker& surface, double dt) {
   const double by = 0.5 * (last_dt + dt), then = time + 0.5 * dt;
   carry(surface, started() ? by : 0, dt);
   add_force(velocity, options.gravity * by);
-  SolidFaces faces;
   if (solids.any()) {
     costs.timed("solids", [&] { faces = faces_of(solids, *grid, then); });
     costs.holds("solids", faces.memory());
@@ -192,6 +192,11 @@ Point Fluid::velocity(const Point& p) const {
   return state_->started() ? state_->velocity.at(p) : state_->initial(p);
 }
 double Fluid::time() const { return state_->time; }
+LiquidMeasures Fluid::measures() const {
+  const State& s = *state_;
+  if (!s.started()) return {};
+  return measure_liquid(s.velocity, s.liquid, s.faces, s.options.density, s.options.gravity);
+}
 const FluidStep& Fluid::last() const { return state_->last; }
 std::vector<ModuleCost> Fluid::costs() const { return state_->costs.all(); }
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "sims/fluid/fluid_options.h"
+#include "sims/fluid/liquid_measures.h"
 #include "sims/fluid/module_cost.h"
 #include "sims/rivals/surface_tracker.h"
 
@@ -49,6 +50,8 @@ class Fluid {
   /// At p now: in the liquid and some cells round it; elsewhere 0.
   Point velocity(const Point& p) const;
   double time() const;
+  /// Of the liquid and its velocity as the last step's projection left them, half a step ago.
+  LiquidMeasures measures() const;
   const FluidStep& last() const;
   /// In the order in which they act; what the scene does not name is not there.
   std::vector<ModuleCost> costs() const;

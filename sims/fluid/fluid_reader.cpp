@@ -90,10 +90,10 @@ void read_effects(TomlTable& fluid, FluidOptions& o) {
 
 }  // namespace
 
-std::optional<FluidOptions> read_fluid(TomlTable& scene, const TrackerOptions& tracker,
-                                       const std::filesystem::path& folder,
-                                       const SceneSources& sources,
-                                       std::vector<std::string>& notes) {
+std::shared_ptr<const FluidOptions> read_fluid(TomlTable& scene, const TrackerOptions& tracker,
+                                               const std::filesystem::path& folder,
+                                               const SceneSources& sources,
+                                               std::vector<std::string>& notes) {
   const auto at = scene.tables.find("fluid");
   const auto solids = scene.lists.find("solids");
   if (at == scene.tables.end()) {
@@ -101,7 +101,7 @@ std::optional<FluidOptions> read_fluid(TomlTable& scene, const TrackerOptions& t
       solids->second.front().keys.refuse("kind",
                                          "makes a solid, which only a scene with a table "
                                          "[fluid] can have");
-    return std::nullopt;
+    return nullptr;
   }
   TomlTable& fluid = at->second;
   Keys& keys = fluid.keys;
@@ -119,7 +119,7 @@ std::optional<FluidOptions> read_fluid(TomlTable& scene, const TrackerOptions& t
   if (solids != scene.lists.end())
     for (TomlTable& solid : solids->second)
       o.solids.push_back(read_solid(solid, folder, sources, notes));
-  return o;
+  return std::make_shared<const FluidOptions>(std::move(o));
 }
 
 }  // namespace suture

@@ -1,7 +1,7 @@
 // The tables [fluid] and [[solids]] of a scene.
 #pragma once
 
-#include <optional>
+#include <memory>
 
 #include "sims/fluid/fluid_options.h"
 #include "sims/scene_sources.h"
@@ -10,12 +10,12 @@
 
 namespace suture {
 
-/// Nothing if the scene has no table [fluid]; it may then have no solids either. An effect is an
+/// Null if the scene has no table [fluid]; it may then have no solids either. An effect is an
 /// inner table, as [fluid.viscosity], and exists only if that is there. `notes` are for the user.
 /// \throw InvalidInput as read_scene
-std::optional<FluidOptions> read_fluid(TomlTable& scene, const TrackerOptions& tracker,
-                                       const std::filesystem::path& folder,
-                                       const SceneSources& sources,
-                                       std::vector<std::string>& notes);
+std::shared_ptr<const FluidOptions> read_fluid(TomlTable& scene, const TrackerOptions& tracker,
+                                               const std::filesystem::path& folder,
+                                               const SceneSources& sources,
+                                               std::vector<std::string>& notes);
 
 }  // namespace suture

@@ -8,9 +8,11 @@
 #include <HYPRE_struct_ls.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <memory>
+#include <new>
 #include <string>
 
 #include "kernel/errors.h"
@@ -206,9 +208,10 @@ Object object_of(const Handle& handle, Get get) {
   return static_cast<Object>(object);
 }
 
-Amg made_amg() {
+Amg made_amg(const SparseRows& matrix) {
   HYPRE_Solver amg = nullptr;
   HYPRE_BoomerAMGCreate(&amg);
+  Amg made(amg);
   HYPRE_BoomerAMGSetTol(amg, kNoTolerance);
   HYPRE_BoomerAMGSetMaxIter(amg, 1);
   HYPRE_BoomerAMGSetPrintLevel(amg, 0);
@@ -218,7 +221,15 @@ Amg made_amg() {
   HYPRE_BoomerAMGSetInterpType(amg, 6);  // extended+i
   HYPRE_BoomerAMGSetPMaxElmts(amg, 4);
   HYPRE_BoomerAMGSetRelaxType(amg, 6);  // symmetric Gauss–Seidel
-  return Amg(amg);
+  if (!matrix.component.empty()) {
+    HYPRE_BoomerAMGSetNumFunctions(amg, 3);
+    const std::size_t rows = matrix.component.size();
+    auto* component = static_cast<HYPRE_Int*>(std::malloc(rows * sizeof(HYPRE_Int)));
+    if (component == nullptr) throw std::bad_alloc();
+    std::copy(matrix.component.begin(), matrix.component.end(), component);
+    HYPRE_BoomerAMGSetDofFunc(amg, component);  // which HYPRE frees
+  }
+  return made;
 }
 
 }  // namespace
@@ -282,7 +293,7 @@ void solve_rows(const SparseRows& matrix, const std::vector<double>& right, std:
   const auto pb = object_of<HYPRE_ParVector>(b, HYPRE_IJVectorGetObject);
   const auto py = object_of<HYPRE_ParVector>(y, HYPRE_IJVectorGetObject);
 
-  const Amg amg = method == RowsMethod::kAmg ? made_amg() : nullptr;
+  const Amg amg = method == RowsMethod::kAmg ? made_amg(matrix) : nullptr;
   HYPRE_Solver handle = nullptr;
   HYPRE_ParCSRPCGCreate(MPI_COMM_SELF, &handle);
   const RowsCg cg(handle);

@@ -199,6 +199,7 @@ SolveReport solve(const SparseRows& matrix, const std::vector<double>& right,
                   std::vector<double>& x, const SolverOptions& options) {
   const std::size_t rows = matrix.rows();
   require_size(right.size() == rows, "the right side");
+  require_size(matrix.component.empty() || matrix.component.size() == rows, "the component");
   if (x.size() != rows) x.assign(rows, 0);
   require_finite(x);
   Sizes sizes;

@@ -43,6 +43,10 @@ struct SparseRows {
   std::vector<std::size_t> first;
   std::vector<std::uint32_t> column;
   std::vector<double> value;
+  /// Where the unknowns are a vector field's, which component each row is, 0 to 2: AMG then
+  /// coarsens each by itself, without which it meets the strain of liquids badly. Empty: they are a
+  /// scalar's.
+  std::vector<std::uint8_t> component;
 
   std::size_t rows() const { return first.empty() ? 0 : first.size() - 1; }
 };

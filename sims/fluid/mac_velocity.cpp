@@ -20,8 +20,10 @@ Corners corners(const SparseGrid& grid, int axis, const Point& p) {
   for (int a = 0; a < 3; ++a) {
     const double x =
         std::clamp((p[a] - grid.origin()[a]) / grid.h() - (a == axis ? 0 : 0.5), -far, far);
-    const double whole = std::floor(x);
-    low[a] = static_cast<int>(whole);
+    int whole =
+        static_cast<int>(x);  // std::floor is a call, and this is where advection's time goes
+    if (x < whole) --whole;
+    low[a] = whole;
     c.between[a] = x - whole;
   }
   const Slot first = grid.find(low);

@@ -134,6 +134,8 @@ SparseRows matrix(const ViscousSystem& system, const std::vector<double>& scale)
   }
   m.column.resize(to);
   m.value.resize(to);
+  for (const ViscousSystem::Face& f : system.faces)
+    m.component.push_back(static_cast<std::uint8_t>(f.axis));
   return m;
 }
 

@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "kernel/measures.h"
+#include "sims/fluid/fluid.h"
 #include "sims/option_names.h"
 
 namespace suture {

@@ -4,12 +4,14 @@
 #include <nlohmann/json_fwd.hpp>
 
 #include "kernel/audit.h"
-#include "sims/fluid/fluid.h"
 #include "sims/rivals/surface_tracker.h"
 #include "surgery/options.h"
 #include "surgery/report.h"
 
 namespace suture {
+
+struct FluidStep;
+struct ModuleCost;
 
 /// Every field of the report but the vertex map.
 nlohmann::json to_json(const SurgeryReport& report);
