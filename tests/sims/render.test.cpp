@@ -107,6 +107,14 @@ TEST_CASE("a cut shows the inside, and edges can be drawn") {
   CHECK(inside[0] - inside[2] > 40);
 }
 
+/// Levels in the channel that differs most. The occlusion that VTK adds differs from one draw of
+/// the same surface to the next, by up to 6 levels of 255 as measured.
+int apart(const std::array<int, 3>& a, const std::array<int, 3>& b) {
+  int most = 0;
+  for (std::size_t i = 0; i < 3; ++i) most = std::max(most, std::abs(a[i] - b[i]));
+  return most;
+}
+
 TEST_CASE("panels of the same surface are drawn alike, in rows, with their labels") {
   const Folder folder;
   const Triangles ball = subdivided_ball(3, 1);
@@ -118,7 +126,7 @@ TEST_CASE("panels of the same surface are drawn alike, in rows, with their label
   int differing = 0, labelled = 0;
   for (int y = 0; y < 150; ++y)
     for (int x = 0; x < 200; ++x) {
-      differing += p.at(x, y) != p.at(x + 200, y);
+      differing += apart(p.at(x, y), p.at(x + 200, y)) > 12;
       labelled += p.at(x, y) != p.at(x, y + 150);
     }
   CHECK(differing == 0);
