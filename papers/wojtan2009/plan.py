@@ -116,6 +116,8 @@ def plan_of(config):
     plan = Plan()
     for part in (rivals, meshes, thin_sheet, convergence, topology, sequences):
         part(plan, config)
+    for name in config.get("without", []):
+        del plan.runs[name]
     for run in plan.runs.values():  # where references need not be as fine as the scenes ask
         if run["scene"] in config.get("tolerances", {}):
             run["arguments"] += setting("measure.tolerance", config["tolerances"][run["scene"]])
