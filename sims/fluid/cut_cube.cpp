@@ -27,14 +27,28 @@ double volume_below(const std::array<double, 3>& m, double a) {
   return std::clamp(x / six, low, high);
 }
 
+/// A plane as volume_below takes it.
+struct Sorted {
+  std::array<double, 3> m;
+  double sum;
+
+  explicit Sorted(const Point& normal)
+      : m{std::abs(normal[0]), std::abs(normal[1]), std::abs(normal[2])} {
+    std::sort(m.begin(), m.end());
+    sum = m[0] + m[1] + m[2];
+    for (double& x : m) x /= sum;
+  }
+  double below(double s) const { return volume_below(m, s / sum + 0.5); }
+};
+
 }  // namespace
 
+double cut_volume(const Point& normal, double s) { return Sorted(normal).below(s); }
+
 CutCube cut_cube(const Point& normal, double s) {
-  std::array<double, 3> m{std::abs(normal[0]), std::abs(normal[1]), std::abs(normal[2])};
-  std::sort(m.begin(), m.end());
-  const double sum = m[0] + m[1] + m[2], half = sum / 2;
-  for (double& x : m) x /= sum;
-  const auto below = [&](double t) { return volume_below(m, t / sum + 0.5); };
+  const Sorted plane(normal);
+  const double half = plane.sum / 2;
+  const auto below = [&](double t) { return plane.below(t); };
   CutCube cut{below(s), 0};
   if (!(cut.volume > 0) || s >= half) return cut;
   // The moment is s·V(s) less the integral of V, which is smooth: Simpson's rule will do.

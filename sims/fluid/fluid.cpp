@@ -168,6 +168,7 @@ void Fluid::State::bring_forward(SurfaceTracker& surface, double dt) {
   effects->stress(step);
   make_incompressible(step);
   costs.timed("extrapolation", [&] { extrapolate(velocity, band(dt)); });
+  effects->flowed(step);
   if (solids.any()) costs.timed("solids", [&] { constrain(velocity, faces, solids, then); });
   require_finite(velocity);
   last.cells = grid->size();

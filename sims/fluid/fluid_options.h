@@ -7,6 +7,7 @@
 #include "sims/fluid/advect_velocity.h"
 #include "sims/fluid/linear_solver.h"
 #include "sims/fluid/solid_options.h"
+#include "sims/fluid/viscoelasticity.h"
 #include "sims/fluid/volume_control.h"
 
 namespace suture {
@@ -22,9 +23,10 @@ struct FluidOptions {
   VelocityAdvection advection = VelocityAdvection::mac_cormack;
   SolverOptions pressure;
 
-  std::optional<double> viscosity;  ///< dynamic: force per area and rate of shear
-  bool no_slip = true;              ///< of viscous liquid at solids
-  SolverOptions viscous_solver{1e-5, 1000};
+  std::optional<double> viscosity;           ///< dynamic: force per area and rate of shear
+  bool no_slip = true;                       ///< of viscous liquid at solids
+  SolverOptions viscous_solver{1e-5, 1000};  ///< of viscosity and elasticity
+  std::optional<ElasticOptions> viscoelasticity;
   std::optional<double> surface_tension;  ///< force per length
   std::optional<VolumeControlOptions> volume_control;
   std::vector<SolidOptions> solids;

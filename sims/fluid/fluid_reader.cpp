@@ -70,11 +70,20 @@ void read_effect(TomlTable& fluid, const std::string& name, Read read) {
 }
 
 void read_effects(TomlTable& fluid, FluidOptions& o) {
-  fluid.allow_tables({"viscosity", "surface_tension", "volume_control"});
+  fluid.allow_tables({"viscosity", "viscoelasticity", "surface_tension", "volume_control"});
   read_effect(fluid, "viscosity", [&](Keys& keys) {
     o.viscosity = keys.number("viscosity", Range::at_least(0));
     o.no_slip = keys.flag("no_slip", o.no_slip);
     o.viscous_solver = read_solver(keys, o.viscous_solver);
+  });
+  read_effect(fluid, "viscoelasticity", [&](Keys& keys) {
+    ElasticOptions e;
+    e.modulus = keys.number("modulus", Range::at_least(0));
+    e.yield_strain = keys.number("yield_strain", Range::above(0), e.yield_strain);
+    e.flow_rate = keys.number("flow_rate", Range::at_least(0), e.flow_rate);
+    e.relaxation_time = keys.number("relaxation_time", Range::above(0), e.relaxation_time);
+    e.no_slip = keys.flag("no_slip", e.no_slip);
+    o.viscoelasticity = e;
   });
   read_effect(fluid, "surface_tension",
               [&](Keys& keys) { o.surface_tension = keys.number("tension", Range::at_least(0)); });

@@ -7,56 +7,16 @@
 namespace suture {
 namespace {
 
-/// The eight faces round a point and its place between them.
-struct Corners {
-  std::array<Slot, 8> slots;  ///< bit 2, 1, 0 of the index: high along x, y, z
-  std::array<double, 3> between;
-};
-
-Corners corners(const SparseGrid& grid, int axis, const Point& p) {
-  constexpr double far = 1 << 29;
-  Corners c;
-  Index3 low;
-  for (int a = 0; a < 3; ++a) {
-    const double x =
-        std::clamp((p[a] - grid.origin()[a]) / grid.h() - (a == axis ? 0 : 0.5), -far, far);
-    int whole =
-        static_cast<int>(x);  // std::floor is a call, and this is where advection's time goes
-    if (x < whole) --whole;
-    low[a] = whole;
-    c.between[a] = x - whole;
-  }
-  const Slot first = grid.find(low);
-  const int side = SparseGrid::kSide;
-  Index3 in{};
-  if (first != kNoSlot) {
-    const auto rest = static_cast<int>(first % SparseGrid::kCells);
-    in = {rest / 64, rest / 8 % 8, rest % 8};
-  }
-  const bool one_block =
-      first != kNoSlot && in[0] < side - 1 && in[1] < side - 1 && in[2] < side - 1;
-  for (int n = 0; n < 8; ++n) {
-    const int x = n >> 2 & 1, y = n >> 1 & 1, z = n & 1;
-    c.slots[n] = one_block ? first + static_cast<Slot>(64 * x + 8 * y + z)
-                           : grid.find({low[0] + x, low[1] + y, low[2] + z});
-  }
-  return c;
+GridCorners corners(const SparseGrid& grid, int axis, const Point& p) {
+  std::array<double, 3> within{0.5, 0.5, 0.5};
+  within[axis] = 0;
+  return {grid, within, p};
 }
 
 }  // namespace
 
 double MacVelocity::component(int axis, const Point& p, double fallback) const {
-  const Corners c = corners(*grid, axis, p);
-  double sum = 0, weights = 0;
-  for (int n = 0; n < 8; ++n) {
-    const Slot s = c.slots[n];
-    if (s == kNoSlot || known[axis][s] == 0) continue;
-    double w = 1;
-    for (int a = 0; a < 3; ++a) w *= (n >> (2 - a) & 1) != 0 ? c.between[a] : 1 - c.between[a];
-    sum += w * u[axis][s];
-    weights += w;
-  }
-  return weights > 1e-12 ? (weights == 1 ? sum : sum / weights) : fallback;
+  return corners(*grid, axis, p).value(u[axis], known[axis], fallback);
 }
 
 Point MacVelocity::at(const Point& p, const Point& fallback) const {
@@ -64,14 +24,7 @@ Point MacVelocity::at(const Point& p, const Point& fallback) const {
 }
 
 MacVelocity::Bounds MacVelocity::bounds(int axis, const Point& p) const {
-  Bounds b;
-  for (const Slot s : corners(*grid, axis, p).slots) {
-    if (s == kNoSlot || known[axis][s] == 0) continue;
-    b.low = b.any ? std::min(b.low, u[axis][s]) : u[axis][s];
-    b.high = b.any ? std::max(b.high, u[axis][s]) : u[axis][s];
-    b.any = true;
-  }
-  return b;
+  return corners(*grid, axis, p).bounds(u[axis], known[axis]);
 }
 
 void extrapolate(MacVelocity& velocity, int layers) {

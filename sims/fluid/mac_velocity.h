@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "sims/fluid/sparse_grid.h"
+#include "sims/fluid/grid_corners.h"
 
 namespace suture {
 
@@ -30,10 +30,7 @@ struct MacVelocity {
   Point at(const Point& p, const Point& fallback = Point::Zero()) const;
 
   /// Component `axis` of the least and largest known face round p, for clamping.
-  struct Bounds {
-    double low = 0, high = 0;
-    bool any = false;
-  };
+  using Bounds = GridCorners::Bounds;
   Bounds bounds(int axis, const Point& p) const;
 };
 

@@ -1,30 +1,12 @@
 // How much of each control volume of the staggered grid is liquid.
 #include "sims/fluid/shares.h"
 
-#include <algorithm>
 #include <cmath>
+
+#include "sims/fluid/cut_cube.h"
 
 namespace suture {
 namespace {
-
-/// Of a plane's slopes, as parts of their sum: the volume beside a smaller one would be the
-/// difference of nearly equal numbers; taken as flat, it is off by less than this.
-constexpr double kFlat = 1e-6;
-
-/// With 0 ≤ m1 ≤ m2 ≤ m3 of sum 1: the share of the unit cube where m·x < a, for a ≤ 1/2.
-double share_of_corner(double m1, double m2, double m3, double a) {
-  const double m12 = m1 + m2;
-  if (m1 < kFlat) {  // a prism
-    if (m2 < kFlat) return a / m3;
-    return a < m2 ? a * a / (2 * m2 * m3) : (a - m2 / 2) / m3;
-  }
-  if (a < m1) return a * a * a / (6 * m1 * m2 * m3);
-  if (a < m2) return a * (a - m1) / (2 * m2 * m3) + m1 * m1 / (6 * m2 * m3);
-  if (a >= m12 && m12 <= m3) return (2 * a - m12) / (2 * m3);
-  const double low = m1 * m1 * (m1 - 3 * a) + m2 * m2 * (m2 - 3 * a);
-  const double high = a < m3 ? a * a * (3 * m12 - a) : a * a * (3 - 2 * a) + m3 * m3 * (m3 - 3 * a);
-  return (low + high) / (6 * m1 * m2 * m3);
-}
 
 /// D at the 27 cells round s; what does not exist is air.
 std::array<double, 27> values_round(const Liquid& liquid, Slot s) {
@@ -56,21 +38,11 @@ double share_of_eighth(const std::array<double, 27>& d, const Index3& side) {
       slope[a] += sign / 2 * weight / (out[a] == 0 ? 0.75 : 0.25) * d[at];
     }
   }
-  return share_below(value, slope);
+  const double most = slope.cwiseAbs().sum() / 2;  // of slope·x in the eighth
+  return std::abs(value) < most ? cut_volume(slope, -value) : value < 0 ? 1 : 0;
 }
 
 }  // namespace
-
-double share_below(double value, const Point& slope) {
-  Point m = slope.cwiseAbs();
-  const double sum = m.sum();
-  if (!(std::abs(value) < sum / 2)) return value < 0 ? 1 : 0;
-  std::sort(m.data(), m.data() + 3);
-  m /= sum;
-  const double a = 0.5 - std::abs(value) / sum;
-  const double corner = std::clamp(share_of_corner(m[0], m[1], m[2], a), 0.0, 0.5);
-  return value < 0 ? 1 - corner : corner;
-}
 
 std::size_t Shares::memory() const {
   std::size_t n = cell.capacity();

@@ -28,8 +28,4 @@ inline constexpr float kLeastShare = 1e-4f;
 /// at the eighth's middle: exact for a flat surface, symmetric, second order for a curved one.
 Shares liquid_shares(const Liquid& liquid);
 
-/// Share of the cube of side 1 round 0 in which value + slope·x is below 0 [Scardovelli and
-/// Zaleski 2000].
-double share_below(double value, const Point& slope);
-
 }  // namespace suture

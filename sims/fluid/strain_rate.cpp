@@ -12,11 +12,8 @@ constexpr double kNearestWall = 1e-3;
 
 }  // namespace
 
-void TensorField::resize(std::size_t slots) {
-  for (int a = 0; a < 3; ++a) {
-    stretch[a].assign(slots, 0);
-    shear[a].assign(slots, 0);
-  }
+void TensorField::fill(std::size_t slots, double value) {
+  for (int c = 0; c < 6; ++c) part(c).assign(slots, value);
 }
 
 std::size_t TensorField::memory() const {
@@ -25,9 +22,10 @@ std::size_t TensorField::memory() const {
   return n * sizeof(double);
 }
 
-double RateStencil::of(const MacVelocity& velocity) const {
+double StrainRate::value(const RateStencil& r, const MacVelocity& velocity) const {
   double sum = 0;
-  for (int n = 0; n < faces; ++n) sum += coefficient[n] * velocity.u[axis[n]][slot[n]];
+  for (int n = 0; n < r.faces; ++n)
+    sum += r.coefficient[n] * velocity_at(velocity, r.axis[n], r.slot[n]);
   return sum;
 }
 

@@ -18,9 +18,26 @@ struct TensorField {
   std::array<std::vector<double>, 3> stretch, shear;
 
   bool any() const { return !stretch[0].empty(); }
-  void resize(std::size_t slots);
+  std::vector<double>& part(int component) {  ///< 0 to 2: stretch; 3 to 5: shear
+    return component < 3 ? stretch[component] : shear[component - 3];
+  }
+  const std::vector<double>& part(int component) const {
+    return component < 3 ? stretch[component] : shear[component - 3];
+  }
+  void fill(std::size_t slots, double value);
   std::size_t memory() const;
 };
+
+/// Calls visit(slot) with the edges of cell s along `axis` that exist.
+template <class Visit>
+void for_each_edge(const SparseGrid& grid, int axis, Slot s, Visit visit) {
+  const Slot next = grid.neighbour(s, next_axis(axis), 1);
+  for (const Slot low : {s, next}) {
+    if (low == kNoSlot) continue;
+    visit(low);
+    if (const Slot high = grid.neighbour(low, prev_axis(axis), 1); high != kNoSlot) visit(high);
+  }
+}
 
 /// One number as a sum over faces of coefficient·velocity.
 struct RateStencil {
@@ -29,8 +46,6 @@ struct RateStencil {
   std::array<Slot, 4> slot;
   std::array<double, 4> coefficient;
   double weight = 0;  ///< share of the control volume that it stands for
-
-  double of(const MacVelocity& velocity) const;
 };
 
 /// The numbers of the strain rate that the liquid's stress is made of: those of control volumes
@@ -48,12 +63,27 @@ class StrainRate {
     return solids_->any() &&
            (no_slip_ ? solids_->open[axis][s] < 0.5 : !(solids_->open[axis][s] > 0));
   }
-  double held_velocity(int axis, Slot s) const { return solids_->velocity_at(axis, s); }
+  /// Of the face: the solid's where it is held, and 0 where it is not known.
+  double velocity_at(const MacVelocity& velocity, int axis, Slot s) const {
+    return held(axis, s)                  ? solids_->velocity_at(axis, s)
+           : velocity.known[axis][s] != 0 ? velocity.u[axis][s]
+                                          : 0;
+  }
+  double value(const RateStencil& stencil, const MacVelocity& velocity) const;
   /// Of the face's control volume, what is liquid and not solid.
   double share(int axis, Slot s) const {
     return shares_->face[axis][s] * solids_->open_at(axis, s);
   }
 
+  /// Calls visit(stencil, component, slot) with all that there are, by slots.
+  template <class Visit>
+  void for_each(Visit visit) const {
+    for (Slot s = 0; s < grid().size(); ++s)
+      for (int a = 0; a < 3; ++a) {
+        if (const RateStencil r = stretch(a, s); r.faces != 0) visit(r, a, s);
+        if (const RateStencil r = shear(a, s); r.faces != 0) visit(r, a + 3, s);
+      }
+  }
   RateStencil stretch(int axis, Slot s) const;  ///< h·D_aa
   RateStencil shear(int axis, Slot s) const;    ///< 2h·D_bc
 

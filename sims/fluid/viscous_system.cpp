@@ -12,29 +12,16 @@ namespace {
 
 using Numbers = std::array<std::vector<std::uint32_t>, 3>;
 
-/// Calls visit(stencil, component: 0 to 2 stretch, 3 to 5 shear, slot) with all that has liquid.
-template <class Visit>
-void for_each_stencil(const StrainRate& rate, Visit visit) {
-  for (Slot s = 0; s < rate.grid().size(); ++s)
-    for (int a = 0; a < 3; ++a) {
-      if (const RateStencil r = rate.stretch(a, s); r.faces != 0) visit(r, a, s);
-      if (const RateStencil r = rate.shear(a, s); r.faces != 0) visit(r, a + 3, s);
-    }
-}
-
-const std::vector<double>& part(const TensorField& field, int component) {
-  return component < 3 ? field.stretch[component] : field.shear[component - 3];
-}
-
-ViscousSystem::Term term(const RateStencil& r, const StrainRate& rate, const Numbers& numbers) {
+ViscousSystem::Term term(const RateStencil& r, const StrainRate& rate, const MacVelocity& velocity,
+                         const Numbers& numbers) {
   ViscousSystem::Term t;
   for (int n = 0; n < r.faces; ++n) {
     const auto way = static_cast<float>(r.coefficient[n]);
-    if (rate.held(r.axis[n], r.slot[n])) {
-      t.constant += way * rate.held_velocity(r.axis[n], r.slot[n]);
+    t.unknown[n] = numbers[r.axis[n]][r.slot[n]];
+    if (t.unknown[n] == ViscousSystem::kNone) {
+      t.constant += way * rate.velocity_at(velocity, r.axis[n], r.slot[n]);
       t.wall = true;
     } else {
-      t.unknown[n] = numbers[r.axis[n]][r.slot[n]];
       t.way[n] = way;
     }
   }
@@ -42,24 +29,25 @@ ViscousSystem::Term term(const RateStencil& r, const StrainRate& rate, const Num
 }
 
 void number_faces(ViscousSystem& system, Numbers& numbers, const MacVelocity& velocity,
-                  const StrainRate& rate) {
+                  const StrainRate& rate, Unknowns which) {
   for (int a = 0; a < 3; ++a) numbers[a].assign(rate.grid().size(), ViscousSystem::kNone);
-  for_each_stencil(rate, [&](const RateStencil& r, int, Slot) {
+  rate.for_each([&](const RateStencil& r, int, Slot) {
     for (int n = 0; n < r.faces; ++n)
-      if (!rate.held(r.axis[n], r.slot[n])) numbers[r.axis[n]][r.slot[n]] = 0;
+      if (!rate.held(r.axis[n], r.slot[n]) &&
+          (which == Unknowns::all || !(rate.share(r.axis[n], r.slot[n]) > 0)))
+        numbers[r.axis[n]][r.slot[n]] = 0;
   });
   for (Slot s = 0; s < rate.grid().size(); ++s)
     for (int a = 0; a < 3; ++a) {
       if (numbers[a][s] == ViscousSystem::kNone) continue;
-      const bool known = velocity.known[a][s] != 0;
-      const double u = known ? velocity.u[a][s] : 0;
+      const double u = rate.velocity_at(velocity, a, s);
       if (!std::isfinite(u))
         throw InvalidInput("the velocity is not finite at a face across axis " + std::to_string(a) +
                            "; check what moved it in the step before");
       numbers[a][s] = static_cast<std::uint32_t>(system.faces.size());
       system.faces.push_back({s, a});
       system.before.push_back(u);
-      system.mass.push_back(known ? rate.share(a, s) : 0);
+      system.mass.push_back(velocity.known[a][s] != 0 ? rate.share(a, s) : 0);
     }
 }
 
@@ -95,6 +83,11 @@ double size_of(const ViscousSystem& system, const std::vector<double>& scale) {
 /// Where there is no liquid in a face's control volume, what the terms round it leave free of its
 /// velocity means nothing: this part of the diagonal keeps that from changing.
 constexpr double kPinned = 1e-9;
+
+/// What is left of the strain that empty faces can take up; that is no more than its own error.
+constexpr SolverOptions kRelaxing{1e-3, 200};
+/// A residual of so little of its parts is the rounding of these.
+constexpr double kRounding = 1e-13;
 
 constexpr std::size_t kWidest = 15;  // entries of a row: itself, and 2 + 4·3 of its six terms
 
@@ -159,25 +152,25 @@ std::size_t ViscousSystem::memory() const {
 }
 
 ViscousSystem viscous_system(const MacVelocity& velocity, const StrainRate& rate,
-                             const StressStep& step) {
+                             const StressStep& step, Unknowns which) {
   ViscousSystem system;
   system.grid = &rate.grid();
   Numbers numbers;
-  number_faces(system, numbers, velocity, rate);
+  number_faces(system, numbers, velocity, rate, which);
   std::array<std::size_t, 3> held{};
-  for_each_stencil(rate, [&](const RateStencil& r, int component, Slot s) {
-    ViscousSystem::Term t = term(r, rate, numbers);
+  rate.for_each([&](const RateStencil& r, int component, Slot s) {
+    ViscousSystem::Term t = term(r, rate, velocity, numbers);
     const double twice = component < 3 ? 1 : 2;  // a shear's stencil makes 2h·D
     t.stiffness = step.stiffness * r.weight * 2 / twice;
-    if (step.factor != nullptr) t.stiffness *= part(*step.factor, component)[s];
-    if (step.offset != nullptr) t.constant += twice * part(*step.offset, component)[s];
+    if (step.factor != nullptr) t.stiffness *= step.factor->part(component)[s];
+    if (step.offset != nullptr) t.constant += twice * step.offset->part(component)[s];
     const bool free = std::any_of(t.unknown.begin(), t.unknown.end(),
                                   [](std::uint32_t u) { return u != ViscousSystem::kNone; });
     if (!free) return;
     system.terms.push_back(t);
     for (int n = 0; n < r.faces; ++n) {
       if (t.unknown[n] != ViscousSystem::kNone) continue;
-      system.wall_velocity[r.axis[n]] += rate.held_velocity(r.axis[n], r.slot[n]);
+      system.wall_velocity[r.axis[n]] += rate.velocity_at(velocity, r.axis[n], r.slot[n]);
       ++held[r.axis[n]];
     }
   });
@@ -229,14 +222,32 @@ DiffusionReport step_stress(MacVelocity& velocity, const StrainRate& rate, const
     const auto [slot, axis] = system.faces[i];
     if (velocity.known[axis][slot] != 0) velocity.u[axis][slot] = v[i];
   }
-  for_each_stencil(rate, [&](const RateStencil& r, int, Slot) {
+  rate.for_each([&](const RateStencil& r, int, Slot) {
     for (int n = 0; n < r.faces; ++n)
       if (rate.held(r.axis[n], r.slot[n])) {
-        velocity.u[r.axis[n]][r.slot[n]] = rate.held_velocity(r.axis[n], r.slot[n]);
+        velocity.u[r.axis[n]][r.slot[n]] = rate.velocity_at(velocity, r.axis[n], r.slot[n]);
         velocity.known[r.axis[n]][r.slot[n]] = 1;
       }
   });
   return report;
+}
+
+void relax_empty_faces(MacVelocity& velocity, const StrainRate& rate, const StressStep& step) {
+  const ViscousSystem system = viscous_system(velocity, rate, step, Unknowns::empty);
+  const std::vector<double> scale = scales(system);
+  std::vector<double> v = system.before;
+  std::vector<double> rest = residual(system, v, false);
+  const double size = norm(rest, scale);
+  const double rounding = norm(residual(system, std::vector<double>(v.size(), 0), false), scale);
+  if (!(size > kRounding * rounding)) return;
+  for (std::size_t i = 0; i < v.size(); ++i) rest[i] *= scale[i] / size;
+  std::vector<double> change;
+  solve(matrix(system, scale), rest, change, kRelaxing);
+  for (std::size_t i = 0; i < v.size(); ++i) {
+    const auto [slot, axis] = system.faces[i];
+    velocity.u[axis][slot] = v[i] + size * scale[i] * change[i];
+    velocity.known[axis][slot] = 1;
+  }
 }
 
 }  // namespace suture

@@ -29,7 +29,7 @@ struct ViscousSystem {
     std::array<std::uint32_t, 4> unknown{kNone, kNone, kNone, kNone};
     std::array<float, 4> way{};
     double constant = 0, stiffness = 0;
-    bool wall = false;  ///< it has a held face
+    bool wall = false;  ///< it has a face that is not solved for
 
     double of(const std::vector<double>& v) const {
       double sum = 0;
@@ -46,14 +46,20 @@ struct ViscousSystem {
   std::vector<Face> faces;  ///< of the unknowns
   std::vector<double> mass, before;
   std::vector<Term> terms;
-  Point wall_velocity = Point::Zero();  ///< mean over the held faces of the terms
+  Point wall_velocity = Point::Zero();  ///< mean over the terms' other faces
 
   std::size_t memory() const;
 };
 
+/// Which faces a system solves for; all others of its terms are as they are.
+enum class Unknowns {
+  all,   ///< that no solid holds
+  empty  ///< that have no liquid of their own
+};
+
 /// \throw InvalidInput if a velocity that counts is not finite
 ViscousSystem viscous_system(const MacVelocity& velocity, const StrainRate& rate,
-                             const StressStep& step);
+                             const StressStep& step, Unknowns which = Unknowns::all);
 
 /// What a viscous step did: the solve, and the bytes it held at once beside its input.
 struct DiffusionReport : SolveReport {
@@ -71,5 +77,9 @@ DiffusionReport solve(const ViscousSystem& system, std::vector<double>& v,
 /// known, the solids' velocity. Faces that are not known have no mass and stay so.
 DiffusionReport step_stress(MacVelocity& velocity, const StrainRate& rate, const StressStep& step,
                             const SolverOptions& options);
+
+/// Gives the faces that stress reaches, but that have no liquid of their own, what makes the stress
+/// there least, as step_stress would: what extrapolates a velocity without strain has none then.
+void relax_empty_faces(MacVelocity& velocity, const StrainRate& rate, const StressStep& step);
 
 }  // namespace suture

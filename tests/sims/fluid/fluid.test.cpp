@@ -124,6 +124,8 @@ TEST_CASE("what a scene does not name has no arrays and takes no time") {
     CHECK(names.size() == least.size() + 1);
   };
   with("viscosity", [](FluidOptions& o) { o.viscosity = 1; });
+  with("viscoelasticity",
+       [](FluidOptions& o) { o.viscoelasticity = ElasticOptions{.modulus = 1}; });
   with("surface_tension", [](FluidOptions& o) { o.surface_tension = 0.1; });
   with("volume_control", [](FluidOptions& o) { o.volume_control.emplace(); });
   with("solids", [](FluidOptions& o) { o.solids = {container({-1, -1, -1}, {1, 1, 1})}; });

@@ -54,9 +54,8 @@ double largest_strain_rate(const MacVelocity& v, const Blob& blob) {
   const Shares shares = liquid_shares(blob.liquid);
   const StrainRate rate(shares, blob.solids, true);
   double most = 0;
-  for (Slot s = 0; s < blob.grid->size(); ++s)
-    for (int a = 0; a < 3; ++a)
-      most = std::max({most, std::abs(rate.stretch(a, s).of(v)), std::abs(rate.shear(a, s).of(v))});
+  rate.for_each(
+      [&](const RateStencil& r, int, Slot) { most = std::max(most, std::abs(rate.value(r, v))); });
   return most;
 }
 

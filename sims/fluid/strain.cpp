@@ -1,0 +1,143 @@
+// The elastic strain that a liquid carries with it.
+#include "sims/fluid/strain.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+
+#include "sims/fluid/advect_velocity.h"
+#include "sims/fluid/grid_corners.h"
+
+namespace suture {
+namespace {
+
+/// Where in its cell what is known by known[place] is: cells' middles, and edges along an axis.
+std::array<double, 3> within(int place) {
+  if (place == 0) return {0.5, 0.5, 0.5};
+  std::array<double, 3> w{};
+  w[place - 1] = 0.5;
+  return w;
+}
+
+Point position(const SparseGrid& grid, int place, Slot s) {
+  const Index3 c = grid.cell(s);
+  const std::array<double, 3> w = within(place);
+  return grid.origin() + grid.h() * Point(c[0] + w[0], c[1] + w[1], c[2] + w[2]);
+}
+
+/// Calls visit(component) with those at a place.
+template <class Visit>
+void for_each_component(int place, Visit visit) {
+  for (int c = place == 0 ? 0 : place + 2; c < (place == 0 ? 3 : place + 3); ++c) visit(c);
+}
+
+/// Row and column of a component.
+std::pair<int, int> entry(int component) {
+  if (component < 3) return {component, component};
+  return {next_axis(component - 3), prev_axis(component - 3)};
+}
+
+Eigen::Matrix3d tensor_at(const Strain& strain, const Point& p) {
+  Eigen::Matrix3d t;
+  for (int place = 0; place < 4; ++place) {
+    const GridCorners corners(*strain.grid, within(place), p);
+    for_each_component(place, [&](int c) {
+      const auto [i, j] = entry(c);
+      t(i, j) = t(j, i) = corners.value(strain.elastic.part(c), strain.known[place], 0);
+    });
+  }
+  return t;
+}
+
+/// Half the curl at p, over a cell.
+Point spin(const MacVelocity& u, const Point& p) {
+  const double h = u.grid->h();
+  const auto slope = [&](int of, int along) {
+    const Point step = h / 2 * Point::Unit(along);
+    const double here = u.component(of, p);
+    return (u.component(of, p + step, here) - u.component(of, p - step, here)) / h;
+  };
+  return 0.5 *
+         Point(slope(2, 1) - slope(1, 2), slope(0, 2) - slope(2, 0), slope(1, 0) - slope(0, 1));
+}
+
+/// Each component changes by what the turn of the whole tensor there, of which the other components
+/// are means of those round it, changes of it.
+TensorField turned(const Strain& strain, const MacVelocity& u, double dt) {
+  TensorField made = strain.elastic;
+  for (int place = 0; place < 4; ++place)
+    for (Slot s = 0; s < strain.grid->size(); ++s) {
+      if (strain.known[place][s] == 0) continue;
+      const Point p = position(*strain.grid, place, s);
+      const Eigen::Matrix3d t = tensor_at(strain, p);
+      const Point angle = dt * spin(u, p);
+      if (t.isZero(0) || angle.isZero(0)) continue;
+      const Eigen::Matrix3d turn =
+          Eigen::AngleAxisd(angle.norm(), angle.normalized()).toRotationMatrix();
+      const Eigen::Matrix3d change = turn * t * turn.transpose() - t;
+      for_each_component(place, [&](int c) {
+        const auto [i, j] = entry(c);
+        made.part(c)[s] += change(i, j);
+      });
+    }
+  return made;
+}
+
+/// MacCormack's second pass, as for the velocity.
+void correct(Strain& now, const Strain& old, const MacVelocity& u, double dt) {
+  const TensorField there = now.elastic;
+  for (int place = 0; place < 4; ++place)
+    for (Slot s = 0; s < now.grid->size(); ++s) {
+      if (now.known[place][s] == 0) continue;
+      const Slot before = old.grid->find(now.grid->cell(s));
+      if (before == kNoSlot || old.known[place][before] == 0) continue;
+      const Point p = position(*now.grid, place, s);
+      const GridCorners start(*old.grid, within(place), path_start(u, p, dt));
+      const GridCorners end(*now.grid, within(place), path_start(u, p, -dt));
+      for_each_component(place, [&](int c) {
+        const auto bounds = start.bounds(old.elastic.part(c), old.known[place]);
+        if (!bounds.any) return;
+        const double was = old.elastic.part(c)[before];
+        const double back = end.value(there.part(c), now.known[place], was);
+        now.elastic.part(c)[s] =
+            std::clamp(there.part(c)[s] + 0.5 * (was - back), bounds.low, bounds.high);
+      });
+    }
+}
+
+}  // namespace
+
+Strain::Strain(const SparseGrid& g) : grid(&g) {
+  elastic.fill(g.size(), 0);
+  for (auto& k : known) k.assign(g.size(), 0);
+}
+
+std::size_t Strain::memory() const {
+  std::size_t bytes = elastic.memory();
+  for (const auto& k : known) bytes += k.capacity();
+  return bytes;
+}
+
+Strain carried(const Strain& old, const MacVelocity& u, const SparseGrid& new_grid,
+               const Liquid& liquid, double dt) {
+  if (!old.any()) return {};
+  Strain turned_old = old;
+  turned_old.elastic = turned(old, u, dt);
+  Strain now(new_grid);
+  const Shares shares = liquid_shares(liquid);
+  for (int place = 0; place < 4; ++place) {
+    const std::vector<float>& share = place == 0 ? shares.cell : shares.edge[place - 1];
+    for (Slot s = 0; s < new_grid.size(); ++s) {
+      if (share[s] == 0) continue;
+      now.known[place][s] = 1;
+      const Point p = position(new_grid, place, s);
+      const GridCorners start(*old.grid, within(place), path_start(u, p, dt));
+      for_each_component(place, [&](int c) {
+        now.elastic.part(c)[s] = start.value(turned_old.elastic.part(c), old.known[place], 0);
+      });
+    }
+  }
+  correct(now, turned_old, u, dt);
+  return now;
+}
+
+}  // namespace suture
