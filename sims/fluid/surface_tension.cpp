@@ -6,6 +6,7 @@
 #include <Eigen/SparseCore>
 #include <algorithm>
 #include <cmath>
+#include <complex>
 #include <limits>
 #include <numbers>
 
@@ -15,7 +16,8 @@
 namespace suture {
 namespace {
 
-using Matrix = Eigen::SparseMatrix<double>;
+using Complex = std::complex<double>;
+using Matrix = Eigen::SparseMatrix<Complex>;
 using Vector = Eigen::VectorXd;
 
 /// The largest cotangent that couples vertices, that of 14°: the tracker's improvement leaves no
@@ -60,7 +62,7 @@ struct Shape {
 struct Forms {
   std::vector<Point> area_gradient, volume_gradient, solid;  ///< solid: sum of wet normals
   Vector share, third;  ///< of the area: what is nearest to the vertex; a third of each triangle
-  std::vector<Eigen::Triplet<double>> coupling;
+  std::vector<Eigen::Triplet<Complex>> coupling;
 
   explicit Forms(std::size_t vertices)
       : area_gradient(vertices, Point::Zero()),
@@ -77,7 +79,7 @@ void add_triangle(const Shape& shape, const Triangle& t, double spread, Forms& f
     forms.volume_gradient[t[k]] += shape.normal / 6;
     forms.share[t[k]] += shape.share(k);
     forms.third[t[k]] += shape.twice_area / 6;
-    const double weight = spread * 0.5 * std::clamp(shape.cotangent(k), 0.0, kMostCotangent);
+    const Complex weight(0, spread / 2 * std::clamp(shape.cotangent(k), 0.0, kMostCotangent));
     forms.coupling.emplace_back(a, a, weight);
     forms.coupling.emplace_back(b, b, weight);
     forms.coupling.emplace_back(a, b, -weight);
@@ -113,6 +115,21 @@ Vector integrated_curvature(const Forms& forms) {
     if (const double length = volume.norm(); length > 0)
       curvature[static_cast<Eigen::Index>(v)] = area.dot(volume) / length;
   }
+  return curvature;
+}
+
+/// The real part of 1/(1 + is) is 1/(1 + s²): with s = (k·smoothing)² one complex solution filters.
+Vector filtered(const Forms& forms) {
+  const Vector integrated = integrated_curvature(forms);
+  const Vector share = forms.share.cwiseMax(kLeastShare * forms.third).cwiseMax(kLeastArea);
+  Matrix matrix(share.size(), share.size());
+  matrix.setFromTriplets(forms.coupling.begin(), forms.coupling.end());
+  matrix += Matrix(share.cast<Complex>().asDiagonal());
+  Eigen::BiCGSTAB<Matrix> solver(matrix);
+  solver.setTolerance(kTolerance);
+  Vector curvature = solver.solve(integrated.cast<Complex>()).real();
+  if (!curvature.allFinite())
+    throw InternalFailure("surface tension", "the filter of the curvature has no solution");
   return curvature;
 }
 
@@ -156,20 +173,9 @@ std::vector<double> mean_curvature(const Triangles& surface, double h,
     throw InvalidInput("curvature needs cells of a finite positive size, not " + number(h));
   if (options.on_solid != nullptr && options.on_solid->size() != surface.positions.size())
     throw InvalidInput("curvature needs as many flags of solids as the surface has vertices");
-  if (surface.positions.empty()) return {};
-  Forms forms = forms_of(surface, h, options);
-  const Vector right = integrated_curvature(forms);
-  const Vector share = forms.share.cwiseMax(kLeastShare * forms.third).cwiseMax(kLeastArea);
-  Matrix matrix(share.size(), share.size());
-  matrix.setFromTriplets(forms.coupling.begin(), forms.coupling.end());
-  matrix += Matrix(share.asDiagonal());
-  Eigen::ConjugateGradient<Matrix, Eigen::Lower | Eigen::Upper> solver(matrix);
-  solver.setTolerance(kTolerance);
-  Vector curvature = solver.solve(right);
-  const Vector rest = right - share.cwiseProduct(curvature);
-  curvature += solver.solve(rest);
-
   std::vector<double> result(surface.positions.size(), 0);
+  if (surface.positions.empty()) return result;
+  const Vector curvature = filtered(forms_of(surface, h, options));
   for (const Triangle& t : surface.triangles)
     if (!wet(t, options.on_solid))
       for (const std::uint32_t v : t) {

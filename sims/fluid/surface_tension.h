@@ -18,9 +18,9 @@ namespace suture {
 std::vector<Point> area_gradient(const Triangles& surface);
 
 struct CurvatureOptions {
-  /// × h: how far curvature is spread over the surface. The grid carries no wave shorter than two
-  /// cells, and a waver between neighbouring faces, true or not, drives a current; so what varies
-  /// within a cell goes. A wave of wavenumber k keeps all but (k·smoothing·h)⁴ of itself.
+  /// × h: of a wave with wavenumber k curvature keeps 1/(1 + (k·smoothing·h)⁴), as Butterworth's
+  /// filter. The grid takes waves shorter than two cells for longer ones: with much more left of
+  /// them (smoothing 0.5) an oscillating drop gains energy until it bursts.
   double smoothing = 1;
   /// × 1/h: the most curvature. A ball as wide as a cell, the smallest that the grid knows, has
   /// 4/h; sharper things have what that has.
@@ -31,9 +31,9 @@ struct CurvatureOptions {
 };
 
 /// κ₁ + κ₂ at each vertex, positive where the liquid bulges out, 2/R on a ball: the area's gradient
-/// along the volume's by the vertex's Voronoi area [Meyer et al. 2003], spread implicitly over the
-/// surface, twice so that only fourth order is lost. 0 at vertices that no free triangle has.
-/// At the contact line the gradients are those of the free part and its mirror image in the solid.
+/// along the volume's by the area that is nearest to the vertex [Meyer et al. 2003], then filtered
+/// over the surface. 0 at vertices that no free triangle has. At the contact line the gradients are
+/// those of the free part and its mirror image in the solid.
 /// \throw InvalidInput if h is not finite and positive, or on_solid has not a flag a vertex
 std::vector<double> mean_curvature(const Triangles& surface, double h,
                                    const CurvatureOptions& options = {});

@@ -1,47 +1,13 @@
 #include <catch2/catch.hpp>
 
 #include "kernel/measures.h"
-#include "kernel/random.h"
-#include "kernel/shapes.h"
-#include "kernel/transform.h"
 #include "sims/fluid/surface_tension.h"
-#include "surgery/tracker.h"
 #include "tests/sims/balls.h"
+#include "tests/sims/fluid/drops.h"
 
 using namespace suture;
 
 namespace {
-
-/// A ball in a place that no symmetry favours, radius in cells.
-Triangles drop(double radius, double edge) {
-  return sphere({Point(0.13, 0.21, 0.07), radius, edge});
-}
-
-Point random_vector(Random& random) {
-  return {random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1)};
-}
-
-/// Vertices moved at random along the ball by up to this.
-Triangles shuffled(Triangles ball, double radius, double most) {
-  Random random(3);
-  const Point centre(0.13, 0.21, 0.07);
-  for (Point& p : ball.positions)
-    p = centre + radius * (p - centre + most * random_vector(random)).normalized();
-  return ball;
-}
-
-/// What a surgery on all of the surface makes of it, with its vertices put back onto the ball.
-Triangles remodelled(const Triangles& ball, double radius, double edge) {
-  const Point centre(0.13, 0.21, 0.07);
-  const Triangles turned = translated(rotated(translated(ball, -centre), {1, 2, 3}, 0.3),
-                                      centre);  // they cross all over
-  Tracker tracker(merged(std::vector{ball, turned}), {.cell_size = edge});
-  REQUIRE(tracker.remodel().components_after == 1);
-  tracker.improve();
-  Triangles result = tracker.surface();
-  for (Point& p : result.positions) p = centre + radius * (p - centre).normalized();
-  return result;
-}
 
 /// Largest and root mean square of the relative error of a ball's curvature.
 struct Errors {
@@ -90,28 +56,26 @@ TEST_CASE("the area's gradient is the area's change for each vertex that moves")
 }
 
 TEST_CASE("the curvature of a ball is 2/R on every triangulation, to second order") {
-  Errors random_before, surgery_before;
   for (const double r : {5.0, 10.0, 20.0}) {
     const double h = 1, edge = 0.7;
     const Errors even = errors(mean_curvature(drop(r, edge), h), 2 / r);
     const Errors random = errors(mean_curvature(shuffled(drop(r, edge), r, 0.2 * edge), h), 2 / r);
-    const Errors surgery = errors(mean_curvature(remodelled(drop(r, edge), r, edge), h), 2 / r);
+    const Errors surgery = errors(mean_curvature(remodelled(r, edge), h), 2 / r);
     CAPTURE(r, even.largest, random.largest, random.rms, surgery.largest, surgery.rms);
-    CHECK(even.largest < 0);
-    if (r > 5) {
-      CHECK(random.largest < random_before.largest / 2);  // 1e-4
-      CHECK(surgery.largest < surgery_before.largest / 2);
-    }
-    random_before = random;
-    surgery_before = surgery;
+    CHECK(even.largest < 1e-5);                 // the solver's
+    CHECK(random.largest < 8e-3 / (r * r));     // measured: 4.8e-3 to 6.2e-3
+    CHECK(surgery.largest < 1.2e-2 / (r * r));  // 9.4e-3 to 9.7e-3
   }
 }
 
 TEST_CASE("the curvature of an ellipsoid converges at every vertex") {
-  for (const double r : {5.0, 10.0, 20.0}) {
+  // In parts of 2/r. The least axis is 3, 6 and 12 cells; what is off is the filter's share.
+  const std::vector<std::array<double, 3>> measured = {
+      {5, 0.34, 0.110}, {10, 0.093, 0.025}, {20, 0.024, 0.0039}};
+  for (const auto& [r, worst, usual] : measured) {
     const Point axes = r * Point(1, 0.8, 0.6);
-    Triangles s = scaled(remodelled(drop(r, 0.7), r, 0.7), Point(1, 0.8, 0.6));
-    const Point centre = Point(0.13, 0.21, 0.07).cwiseProduct(Point(1, 0.8, 0.6));
+    Triangles s = scaled(remodelled(r, 0.7), Point(1, 0.8, 0.6));
+    const Point centre = kDropCentre.cwiseProduct(Point(1, 0.8, 0.6));
     const std::vector<double> curvature = mean_curvature(s, 1);
     double largest = 0, squares = 0;
     for (std::size_t v = 0; v < curvature.size(); ++v) {
@@ -122,8 +86,10 @@ TEST_CASE("the curvature of an ellipsoid converges at every vertex") {
       largest = std::max(largest, std::abs(curvature[v] - exact) * r / 2);
       squares += std::pow((curvature[v] - exact) * r / 2, 2);
     }
-    CAPTURE(r, largest, std::sqrt(squares / static_cast<double>(curvature.size())));
-    CHECK(largest < 0);
+    const double rms = std::sqrt(squares / static_cast<double>(curvature.size()));
+    CAPTURE(r, largest, rms);
+    CHECK(largest < 1.1 * worst);
+    CHECK(rms < 1.1 * usual);
   }
 }
 
@@ -134,7 +100,8 @@ TEST_CASE("noise in the vertices is smoothed over a cell") {
   const Errors smooth = errors(mean_curvature(s, 1), 0.2);
   const Errors raw = errors(mean_curvature(s, 1, {.smoothing = 0}), 0.2);
   CAPTURE(smooth.rms, smooth.largest, raw.rms, raw.largest);
-  CHECK(smooth.rms < 0);
+  CHECK(smooth.rms < 0.01);  // measured: 0.0053
+  CHECK(raw.rms > 0.2);      // 0.26
 }
 
 TEST_CASE("a drop that sits on a wall has the curvature of the ball it is half of") {
@@ -153,7 +120,7 @@ TEST_CASE("a drop that sits on a wall has the curvature of the ball it is half o
     if (up) worst_free = std::max(worst_free, std::abs(free[v] / 0.4 - 1));
     if (!up) middle = std::max(middle, std::abs(sitting[v]));
   }
-  CHECK(worst < 0);
-  CHECK(worst_free > 10);
+  CHECK(worst < 1e-4);  // measured: 2.7e-5
+  CHECK(worst_free > 0.5);
   CHECK(middle == 0);
 }
