@@ -10,6 +10,7 @@ METHODS = {  # the rivals as their authors' papers and libraries have them
 }
 MESHES = {"mesh": ["--method", "mesh"], "mesh_without_topology": ["--method", "mesh_without_topology"],
           "markers": ["--method", "markers"]}
+FIGURES = ("level_set", "particle_level_set_weno", "semi_lagrangian_contouring", "mesh")
 DOMAINS = {"zalesak": 100, "enright": 1, "enright_eltopo": 1, "translation": 1, "shear": 1,
            "curl_noise": 5}
 
@@ -34,14 +35,13 @@ class Plan:
 
 
 def rivals(plan, config):
-    for scene in ("zalesak", "enright", "translation"):
-        group = "enright" if scene == "enright" else "zalesak" if scene == "zalesak" else "others"
+    for scene in ("zalesak", "enright"):
         for resolution in config["resolutions"]:
             for method, words in METHODS.items():
-                plan.add(group, f"{scene}.{method}.{resolution}", scene, words,
+                plan.add(scene, f"{scene}.{method}.{resolution}", scene, words,
                          cells(scene, resolution))
     middle = config["resolution"]
-    for scene in ("enright_eltopo", "shear", "curl_noise"):
+    for scene in ("enright_eltopo", "translation", "shear", "curl_noise"):
         group = "enright" if scene == "enright_eltopo" else "others"
         for method, words in METHODS.items():
             plan.add(group, f"{scene}.{method}.{middle}", scene, words, cells(scene, middle))
@@ -106,7 +106,8 @@ def topology(plan, config):
 def sequences(plan, config):
     """Surfaces for the pictures of Enright's test; nothing is measured but their topology."""
     at = ["--at", ",".join(str(t) for t in config["sequence"]), "--reference", "none"]
-    for method, words in {**METHODS, "mesh": MESHES["mesh"]}.items():
+    for method in FIGURES:
+        words = METHODS.get(method) or MESHES[method]
         plan.add("pictures", f"sequence.{method}", "enright", words,
                  cells("enright", config["resolution"]), at)
 
@@ -115,6 +116,8 @@ def plan_of(config):
     plan = Plan()
     for part in (rivals, meshes, thin_sheet, convergence, topology, sequences):
         part(plan, config)
+    for name in config.get("without", []):
+        del plan.runs[name]
     for run in plan.runs.values():  # where references need not be as fine as the scenes ask
         if run["scene"] in config.get("tolerances", {}):
             run["arguments"] += setting("measure.tolerance", config["tolerances"][run["scene"]])

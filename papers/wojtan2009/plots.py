@@ -133,8 +133,8 @@ def error_bars(zalesak, enright):
     script = STYLE.replace("1500", "1300").replace("size 1300,560", "size 1300,700") + \
         "set output 'error.png'\nset xlabel 'cells along the domain'\n"
     script += "".join(blocks) + "set multiplot layout 1,2\n"
-    for error, caption in (("volume_error", "relative volume error, at the end"),
-                           ("mean_distance", "mean distance, at the end, in the test''s unit")):
+    for error, caption in (("volume_error", "relative volume error, after a turn or at T"),
+                           ("mean_distance", "mean distance, after a turn or at T, in the test''s unit")):
         if plots[error]:
             script += f"set ylabel '{caption}'\nplot " + ", \\\n  ".join(plots[error]) + "\n"
     return script + "unset multiplot\n"

@@ -107,6 +107,12 @@ class Work {
     settings_.insert(settings_.begin(), {"run", options.name});
     if (!options.reference.empty()) scene_.measure.reference = options.reference;
     if (options.tolerance > 0) scene_.measure.tolerance = options.tolerance;
+    require_times();
+    require_reference();
+    if (fs::path(options.name).filename() != options.name)
+      throw InvalidInput("the name \"" + options.name +
+                         "\" of the surfaces' files leads to another "
+                         "folder; give it without one");
   }
 
   std::vector<double> times() const {
@@ -137,16 +143,53 @@ class Work {
   }
 
  private:
+  void require_times() const {
+    for (const double t : options_.at)
+      if (!(t >= 0 && t <= scene_.time.end * (1 + 1e-9)))
+        throw InvalidInput(
+            fmt::format("there is nothing to measure at the time {}: the scene is "
+                        "from 0 to {}; give times between, or another time.end",
+                        t, scene_.time.end));
+  }
+
+  bool is_exact() const {
+    return scene_.measure.reference == "exact" || scene_.measure.reference == "polyhedron";
+  }
+  double tolerance() const {
+    return scene_.measure.tolerance > 0 ? scene_.measure.tolerance
+                                        : 1e-3 * scene_.tracker.cell_size;
+  }
+
+  /// What is found wrong with a reference only after the run would have cost it.
+  void require_reference() const {
+    if (scene_.measure.reference == "none") return;
+    if (!is_exact()) return void(read_triangles(scene_.measure.reference));
+    if (scene_.fluid)
+      throw InvalidInput(scene_.file.string() +
+                         ": a fluid moves this surface, and there is nothing exact to measure it "
+                         "against; give --reference none, or a mesh");
+    exact_carry(scene_, scene_.time.end, tolerance());  // refuses what is no velocity field
+    // Paths err by a millionth of the tolerance, which must not be lost in rounding.
+    constexpr double kLeast = 1e-9;
+    double largest = 0;
+    for (const Point& p : scene_.surface.positions)
+      largest = std::max(largest, p.lpNorm<Eigen::Infinity>());
+    if (!(tolerance() >= kLeast * largest))
+      throw InvalidInput(
+          fmt::format("a reference's tolerance of {} is within rounding of "
+                      "coordinates as large as {}; give {} or more",
+                      tolerance(), largest, kLeast * largest));
+  }
+
   Record measured_at(const Snapshot& s, const Triangles& start) {
     Record cells = shape_cells(s.surface, scene_);
     const std::string& reference = scene_.measure.reference;
     cells.emplace_back("reference", reference);
-    if (reference == "exact" || reference == "polyhedron") {
-      const double tolerance =
-          scene_.measure.tolerance > 0 ? scene_.measure.tolerance : 1e-3 * scene_.tracker.cell_size;
-      const Truth truth = truth_at(scene_, s.time, {reference, tolerance, options_.references});
+    if (is_exact()) {
+      const Truth truth = truth_at(scene_, s.time, {reference, tolerance(), options_.references});
       add(cells, compare(s.surface, truth, options_.compare));
-      add(cells, compare_markers(s.surface, start, exact_carry(scene_, s.time, 1e-6 * tolerance)));
+      add(cells,
+          compare_markers(s.surface, start, exact_carry(scene_, s.time, 1e-6 * tolerance())));
     } else if (reference != "none") {
       Truth truth;
       truth.exact.surface = read_triangles(reference);

@@ -105,6 +105,8 @@ class Measured {
       const bool gone = mesh && steps_->vanished(), over = gone || (mesh && grown_together());
       while (next < times_.size() && (reached >= times_[next] || i == steps || over)) {
         snap();
+        // Nothing is left at all later times either.
+        if (gone) result_.snapshots.back().time = std::max(times_[next], steps_->time());
         ++next;
       }
       tell(i, steps, mesh);

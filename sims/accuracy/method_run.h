@@ -27,8 +27,8 @@ struct MethodRun {
 
 /// Runs the scene by its method. Snapshots are taken at the first step that reaches each of
 /// `times`, or where the scene's `until_components` ends it; if it stops before, there is one at
-/// its last step. Motions that depend on the surface need a mesh. What the method or the scene
-/// throws is an outcome.
+/// its last step. Of a mesh that vanished there is an empty one at each time that was left. Motions
+/// that depend on the surface need a mesh. What the method or the scene throws is an outcome.
 MethodRun run_method(Scene& scene, std::vector<double> times, RunWatcher* watcher = nullptr);
 
 }  // namespace suture

@@ -45,20 +45,37 @@ json to_json(const ExactSurface& e, const std::string& from) {
           {"max_error", e.max_error}};
 }
 
-/// What is kept in the folder, if it is whole and made from the same.
-std::optional<ExactSurface> kept(const fs::path& mesh, const fs::path& note,
-                                 const std::string& from) {
-  if (!fs::exists(note) || !fs::exists(mesh)) return {};
-  const json j = json::parse(read_file(note), nullptr, false);
-  if (j.is_discarded() || j.value("from", "") != from) return {};
+ExactSurface from_json(const json& j, Triangles surface) {
   ExactSurface e;
-  e.surface = read_triangles(mesh);
+  e.surface = std::move(surface);
   for (const json& pair : j.at("creases")) e.creases.emplace_back(pair.at(0), pair.at(1));
   e.corners = j.at("corners").get<std::vector<std::uint32_t>>();
   e.tolerance = j.at("tolerance");
   e.mean_error = j.at("mean_error");
   e.max_error = j.at("max_error");
   return e;
+}
+
+bool in_range(const ExactSurface& e) {
+  const std::size_t n = e.surface.positions.size();
+  return std::all_of(e.corners.begin(), e.corners.end(), [&](auto v) { return v < n; }) &&
+         std::all_of(e.creases.begin(), e.creases.end(),
+                     [&](const auto& c) { return c.first < n && c.second < n; });
+}
+
+/// What is kept in the folder, if it is whole and made from the same.
+std::optional<ExactSurface> kept(const fs::path& mesh, const fs::path& note,
+                                 const std::string& from) {
+  if (!fs::exists(note) || !fs::exists(mesh)) return {};
+  try {
+    const json j = json::parse(read_file(note));
+    if (j.at("from") != from) return {};
+    ExactSurface e = from_json(j, read_triangles(mesh));
+    if (in_range(e)) return e;
+  } catch (const json::exception&) {  // damaged: it is made again
+  } catch (const InvalidInput&) {
+  }
+  return {};
 }
 
 /// Whether everything is back where it was: no vertex of the coarse mesh has moved by more than a

@@ -18,8 +18,10 @@ Value value_of(const std::string& text) {
   }
   if (text.size() < 2 || text.front() != '[' || text.back() != ']') return text;
   std::vector<double> list;
-  for (const std::string& part : CLI::detail::split(text.substr(1, text.size() - 2), ','))
-    list.push_back(std::strtod(part.c_str(), nullptr));
+  for (const std::string& part : CLI::detail::split(text.substr(1, text.size() - 2), ',')) {
+    list.push_back(std::strtod(part.c_str(), &end));
+    if (part.empty() || *end != '\0') return text;  // which a key that wants a list refuses
+  }
   return list;
 }
 

@@ -21,7 +21,11 @@ struct Settings {
   int columns = 0;
 };
 
-Point point_of(const std::vector<double>& xyz) { return {xyz[0], xyz[1], xyz[2]}; }
+Point point_of(const std::vector<double>& xyz, const char* flag) {
+  const Point p(xyz[0], xyz[1], xyz[2]);
+  if (!p.allFinite()) throw InvalidInput(std::string(flag) + ": give three finite numbers");
+  return p;
+}
 
 /// The scene's picture, and over it what flags were given.
 PictureOptions picture_of(const Settings& s, const CLI::App& command) {
@@ -31,11 +35,15 @@ PictureOptions picture_of(const Settings& s, const CLI::App& command) {
   if (command.count("--zoom") != 0) p.zoom = s.picture.zoom;
   if (command.count("--edges") != 0) p.edges = s.picture.edges;
   if (command.count("--feature-angle") != 0) p.feature_angle = s.picture.feature_angle;
-  if (!s.direction.empty()) p.direction = point_of(s.direction);
-  if (!s.up.empty()) p.up = point_of(s.up);
-  if (!s.low.empty()) p.fit = Box{point_of(s.low), point_of(s.high)};
+  if (!s.direction.empty()) p.direction = point_of(s.direction, "--direction");
+  if (!s.up.empty()) p.up = point_of(s.up, "--up");
+  if (!s.low.empty()) p.fit = Box{point_of(s.low, "--low"), point_of(s.high, "--high")};
+  if (!(p.zoom > 0) || !(p.feature_angle >= 0 && p.feature_angle <= 180))  // CLI11 lets NaN pass
+    throw InvalidInput("--zoom is above 0, and --feature-angle from 0 to 180 degrees");
+  if (!s.low.empty() && !((p.fit->high - p.fit->low).minCoeff() > 0))
+    throw InvalidInput("--low and --high: each number of the second must be above the first's");
   if (s.cut_point.empty()) return p;
-  p.cut = CutPlane{point_of(s.cut_point), point_of(s.cut_normal)};
+  p.cut = CutPlane{point_of(s.cut_point, "--cut-point"), point_of(s.cut_normal, "--cut-normal")};
   if (!(p.cut->normal.norm() > 0)) throw InvalidInput("--cut-normal has no direction");
   return p;
 }
@@ -57,7 +65,8 @@ void draw(const Settings& s, const CLI::App& command) {
   std::vector<Panel> panels;
   for (std::size_t i = 0; i < surfaces.size(); ++i)
     panels.push_back({&surfaces[i], {}, s.labels.empty() ? "" : s.labels[i]});
-  const int columns = s.columns > 0 ? s.columns : static_cast<int>(panels.size());
+  const int all_in_a_row = static_cast<int>(panels.size());
+  const int columns = s.columns > 0 ? std::min(s.columns, all_in_a_row) : all_in_a_row;
   render_panels(panels, {columns}, picture, s.out);
 }
 

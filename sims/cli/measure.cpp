@@ -43,11 +43,20 @@ void print_rows(const std::vector<Record>& rows) {
       if (!text.empty()) fmt::print("{:<36}{}\n", column, text);
 }
 
-bool made_before(const Settings& s, const std::string& command) {
-  if (s.afresh || s.csv.empty()) return false;
-  for (const Record& row : read_records(s.csv))
-    if (text_in(row, "command") == command) return true;
-  return false;
+/// The rows that the table has of this command already.
+std::vector<Record> made_before(const Settings& s, const std::string& command) {
+  std::vector<Record> rows;
+  if (s.afresh || s.csv.empty()) return rows;
+  for (Record& row : read_records(s.csv))
+    if (text_in(row, "command") == command) rows.push_back(std::move(row));
+  return rows;
+}
+
+int exit_code(const std::vector<Record>& rows) {
+  const bool sound = std::all_of(rows.begin(), rows.end(), [](const Record& row) {
+    return text_in(row, "outcome") == "done";
+  });
+  return sound ? kDone : kNo;
 }
 
 int run_measure(Settings s) {
@@ -55,10 +64,10 @@ int run_measure(Settings s) {
   m.changes = read_changes(s.change);
   const std::string command = command_of(s);
   if (!s.csv.empty()) require_folder_of(s.csv);
-  if (made_before(s, command)) {
+  if (const std::vector<Record> old = made_before(s, command); !old.empty()) {
     fmt::print("{}: the rows of this command are there; --afresh makes them again\n",
                s.csv.string());
-    return kDone;
+    return exit_code(old);
   }
   if (!m.surfaces.empty()) std::filesystem::create_directories(m.surfaces);
   if (m.name.empty())
@@ -70,10 +79,7 @@ int run_measure(Settings s) {
   }
   if (!s.csv.empty()) append_records(s.csv, rows, "command");
   print_rows(rows);
-  const bool sound = std::all_of(rows.begin(), rows.end(), [](const Record& row) {
-    return text_in(row, "outcome") == "done";
-  });
-  return sound ? kDone : kNo;
+  return exit_code(rows);
 }
 
 void add_reference_options(CLI::App& command, MeasurementOptions& m) {

@@ -24,6 +24,7 @@ std::vector<std::uint8_t> lies_on_solid(const StepState& step, double h) {
 struct Effects::State {
   const FluidOptions& options;
   ModuleCosts& costs;
+  ElasticOptions elastic;               ///< with the liquid's density
   Strain strain;                        ///< empty where the scene names no elasticity
   std::optional<VolumeControl> volume;  ///< from the first step on, if the scene names it
   std::array<std::vector<double>, 3> jump;
@@ -34,7 +35,10 @@ struct Effects::State {
 };
 
 Effects::Effects(const FluidOptions& options, ModuleCosts& costs)
-    : state_(new State{options, costs, {}, {}, {}, {}}) {}
+    : state_(new State{options, costs, {}, {}, {}, {}, {}}) {
+  if (options.viscoelasticity) state_->elastic = *options.viscoelasticity;
+  state_->elastic.density = options.density;
+}
 
 Effects::~Effects() = default;
 
@@ -56,9 +60,9 @@ void Effects::State::viscosity(const StepState& step) {
 
 void Effects::State::elasticity(const StepState& step) {
   costs.timed("viscoelasticity", [&] {
-    if (strain.grid == nullptr) strain = unstrained(*step.liquid.grid, *options.viscoelasticity);
-    const DiffusionReport done = push(step.velocity, strain, step.liquid, step.faces,
-                                      *options.viscoelasticity, step.dt, options.viscous_solver);
+    if (strain.grid == nullptr) strain = unstrained(*step.liquid.grid, elastic);
+    const DiffusionReport done = push(step.velocity, strain, step.liquid, step.faces, elastic,
+                                      step.dt, options.viscous_solver);
     costs.iterated("viscoelasticity", done.iterations);
     costs.holds("viscoelasticity", strain.memory() + done.memory);
   });
@@ -80,7 +84,7 @@ void Effects::flowed(const StepState& step) {
   State& s = *state_;
   if (!s.strain.any()) return;
   s.costs.timed("viscoelasticity", [&] {
-    stretch(s.strain, step.velocity, step.liquid, step.faces, *s.options.viscoelasticity, step.dt);
+    stretch(s.strain, step.velocity, step.liquid, step.faces, s.elastic, step.dt);
   });
 }
 

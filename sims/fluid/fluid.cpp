@@ -102,6 +102,7 @@ void Fluid::State::carry(SurfaceTracker& surface, double carried_for, double dt)
     last.drops = cells.drop_count;
     old = std::exchange(grid, std::move(next));
   });
+  if (old) effects->carry(velocity, liquid, carried_for);
   costs.timed("advection", [&] {
     velocity =
         old ? carried(velocity, liquid, carried_for, options.advection) : sampled(initial, liquid);

@@ -78,7 +78,6 @@ void read_effects(TomlTable& fluid, FluidOptions& o) {
   });
   read_effect(fluid, "viscoelasticity", [&](Keys& keys) {
     ElasticOptions e;
-    e.density = o.density;
     e.modulus = keys.number("modulus", Range::at_least(0));
     e.yield_strain = keys.number("yield_strain", Range::above(0), e.yield_strain);
     e.flow_rate = keys.number("flow_rate", Range::at_least(0), e.flow_rate);

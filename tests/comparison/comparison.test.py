@@ -4,6 +4,7 @@ import csv
 import json
 import math
 import pathlib
+import re
 import sys
 import tempfile
 import unittest
@@ -91,6 +92,49 @@ class Comparison(unittest.TestCase):
                 {**MESH, **change, "run": "zalesak.mesh.100", "time": "628"},
                 {**MESH, "run": "zalesak.markers.100", "time": "628"}])
             self.assertEqual(next(verdict.zalesak(t, "100"))["verdict"], holds, change)
+
+    def test_corners_are_said_in_cells_whatever_a_cell_is(self):
+        rows = [{**MESH, "cell_size": "4", "corner_max": "8", "run": f"zalesak.{m}.24", "time": "628"}
+                for m in ("mesh", "markers")]
+        found = next(verdict.zalesak(self.verdicts(zalesak=rows), "24"))
+        self.assertIn("corners off by 2 cells", found["ours"])
+        self.assertIn("vertices by 5.1e-07", found["ours"])
+
+    def test_a_rival_s_corners_are_rounded_only_if_that_could_be_seen(self):
+        for corner, distance, holds in (("0.6", "0.1", "holds"), ("1e-5", "0.1", "DOES NOT HOLD"),
+                                        ("0.6", "0.3", "DOES NOT HOLD")):
+            rows = [{**MESH, "corner_max": "0.7", "mean_distance": "0.2", "time": "628",
+                     "run": "zalesak.level_set.100"},
+                    {**MESH, "corner_max": corner, "mean_distance": distance, "time": "628",
+                     "run": "zalesak.particle_level_set.100"}]
+            found = {v["figure"]: v["verdict"] for v in verdict.zalesak(self.verdicts(zalesak=rows), "100")}
+            self.assertEqual(found["Figure 11, Zalesak's sphere, particle_level_set"], holds, corner)
+            self.assertEqual(found["Figure 11, Zalesak's sphere, level_set"], "holds")
+
+    def test_a_run_that_failed_passes_nothing(self):
+        crashed = {"outcome": "crashed", "failure": "killed by signal 11", "time": ""}
+        shape = {"components": "1", "components_expected": "1", "euler": "2", "euler_expected": "2"}
+        for row, holds in (({**shape, "outcome": "done", "closed_manifold": "yes"}, "holds"),
+                           ({**shape, "outcome": "refused", "closed_manifold": "yes"}, "DOES NOT HOLD"),
+                           ({**shape, "outcome": "done", "closed_manifold": "no"}, "DOES NOT HOLD"),
+                           (crashed, "DOES NOT HOLD")):
+            t = self.verdicts(topology=[{**row, "run": "two_spheres.mesh"}, {"run": "none", **shape}])
+            found = {v["figure"]: v["verdict"] for v in verdict.topology(t)}
+            self.assertEqual(found["two spheres"], holds, row)
+            self.assertEqual(found["dumbbell"], "no rows")
+        t = self.verdicts(zalesak=[{**crashed, "run": "zalesak.mesh.100"},
+                                   {**MESH, "run": "zalesak.markers.100", "time": "628"}])
+        found = next(verdict.zalesak(t, "100"))
+        self.assertEqual(found["verdict"], "DOES NOT HOLD")
+        self.assertIn("killed by signal 11", found["ours"])
+
+    def test_pictures_are_made_at_ends_of_steps(self):
+        for name in ("config", "quick"):
+            text = (SCENES.parent / f"{name}.yaml").read_text()
+            step = 0.01  # of enright.toml
+            times = re.search(r"^sequence: \[(.*)\]", text, re.MULTILINE).group(1).split(",")
+            for time in map(float, times):
+                self.assertAlmostEqual(time / step, round(time / step), msg=f"{name}: {time}")
 
     def test_a_campaign_of_balls_holds_only_if_every_run_does(self):
         row = {"outcome": "done", "closed_manifold": "yes", "components": "1", "seconds": "2",

@@ -149,6 +149,33 @@ TEST_CASE("rows that the table has are not made again, unless afresh") {
   CHECK(read_records(folder / "rows.csv").size() == 2);
 }
 
+TEST_CASE("a reference that was damaged is made again") {
+  const Folder folder;
+  folder.write("scene.toml", kTurning);
+  const std::string more =
+      "--samples 500 --lines 10 --method markers --at 0.5 --afresh "
+      "--references " +
+      folder.name("refs");
+  REQUIRE(measured(folder, more).exit == 0);
+  const auto mean = [&] {
+    return number(read_records(folder / "rows.csv").at(0), "mean_distance");
+  };
+  const double right = mean();
+  std::vector<std::filesystem::path> files;
+  for (const auto& entry : std::filesystem::directory_iterator(folder / "refs"))
+    files.push_back(entry.path());
+  REQUIRE(files.size() == 2);
+  for (const auto& file : files) {
+    for (const char* damaged : {"", "[1]", "{}", "ply\n"}) {
+      std::ofstream(file) << damaged;
+      INFO(file << " as " << damaged);
+      CHECK(measured(folder, more).exit == 0);
+      CHECK(mean() == right);
+      CHECK(contents(file).size() > 20);
+    }
+  }
+}
+
 TEST_CASE("a run that cannot go on is a row that says why") {
   const Folder folder;
   folder.write("scene.toml", kTurning);
@@ -159,18 +186,36 @@ TEST_CASE("a run that cannot go on is a row that says why") {
   REQUIRE(rows.size() == 1);
   CHECK(text_in(rows[0], "outcome") == "timed_out");
   CHECK_THAT(text_in(rows[0], "failure"), Contains("out of time"));
+  const Said again = measured(folder, "--set time.step=1e-4 --set time.end=1000");
+  CHECK_THAT(again.text, Contains("are there"));
+  CHECK(again.exit == 1);  // a failure that is in the table is one still
 }
 
 TEST_CASE("measuring what is misspelt or impossible is refused before anything is run") {
   const Folder folder;
   folder.write("scene.toml", kTurning);
-  for (const char* bad : {"--set cell_size=1", "--set tracker.cel_size=1", "--method grid",
-                          "--set tracker.cell_size=-1", "--samples 1", "--tolerance 0"}) {
+  for (const char* bad :
+       {"--set cell_size=1", "--set tracker.cel_size=1", "--method grid",
+        "--set tracker.cell_size=-1", "--samples 1", "--tolerance 0", "--tolerance 1e-300",
+        "--set tracker.origin=[a,b,c]", "--at nan", "--at=-1", "--at 1.5", "--reference polyhedral",
+        "--reference missing.ply", "--name a/b"}) {
     const Said said = measured(folder, bad);
     INFO(bad << ": " << said.text);
     CHECK(said.exit == 2);
     CHECK(folder.files() == 1);
   }
+}
+
+TEST_CASE("what depends on the surface has no exact answer, which is said before it is run") {
+  const Folder folder;
+  folder.write("scene.toml",
+               "[[bodies]]\nshape = \"sphere\"\nparameters = { frequency = 3 }\n"
+               "[motion]\nkind = \"normal_flow\"\n[tracker]\ncell_size = 0.5\n"
+               "[time]\nstep = 0.05\nend = 0.1\n");
+  const Said said = measured(folder, "--samples 500");
+  CHECK(said.exit == 2);
+  CHECK_THAT(said.text, Contains("depends on the surface"));
+  CHECK(measured(folder, "--samples 500 --reference none").exit == 0);
 }
 
 TEST_CASE("a run ends where the surface is as few components as was asked for") {
@@ -184,4 +229,20 @@ TEST_CASE("a run ends where the surface is as few components as was asked for") 
   CHECK(run.outcome == "done");
   CHECK(run.snapshots[0].time < 1);
   CHECK(components(run.snapshots[0].surface).count == 1);
+}
+
+TEST_CASE("a mesh that vanishes is measured as nothing at every time that was left") {
+  Scene scene = parse_scene(
+      "[[bodies]]\nshape = \"sphere\"\nparameters = { frequency = 5, radius = 0.3 }\n"
+      "[motion]\nkind = \"normal_flow\"\nspeed = -1\n[tracker]\ncell_size = 0.1\n"
+      "[time]\nstep = 0.05\nend = 2\n[measure]\nreference = \"none\"\n",
+      "scene.toml");
+  const MethodRun run = run_method(scene, {0, 1, 2});
+  REQUIRE(run.snapshots.size() == 3);
+  CHECK_THAT(run.failure, Contains("nothing was left"));
+  CHECK_FALSE(run.snapshots[0].surface.triangles.empty());
+  for (const int i : {1, 2}) {
+    CHECK(run.snapshots[i].surface.triangles.empty());
+    CHECK(run.snapshots[i].time == i);
+  }
 }

@@ -154,6 +154,15 @@ TEST_CASE("suture draw puts meshes side by side with a cut, and takes a scene's 
   CHECK(suture_program("draw " + folder.name("a.ply") + " --label a --label b -o " +
                        folder.name("q.png"))
             .exit == 2);
+  for (const char* bad :
+       {"--low 1 1 1 --high 0 0 0", "--low nan nan nan --high 1 1 1", "--feature-angle nan",
+        "--zoom nan", "--cut-point nan 0 0 --cut-normal 0 0 1",
+        "--cut-point 0 0 0 --cut-normal 0 0 inf"}) {
+    INFO(bad);
+    CHECK(suture_program("draw " + folder.name("a.ply") + " --width 32 --height 32 " + bad +
+                         " -o " + folder.name("q.png"))
+              .exit == 2);
+  }
 }
 
 TEST_CASE("options that make no picture are refused") {
