@@ -36,14 +36,63 @@ std::pair<int, int> entry(int component) {
   return {next_axis(component - 3), prev_axis(component - 3)};
 }
 
-Eigen::Matrix3d tensor_at(const Strain& strain, const Point& p) {
+/// The places of one kind round one of another, which are half a cell off along two axes: of four
+/// rows and columns of four, where all 16 are known, else of the middle four those that are.
+struct PlacesRound {
+  std::array<Slot, 16> slots;
+  std::array<double, 16> weights{};
+
+  PlacesRound(const Strain& strain, int from, Slot s, int to) {
+    const std::array<double, 3> own = within(from), other = within(to);
+    int first = 0, second = 2;
+    while (own[first] == other[first]) ++first;
+    while (own[second] == other[second]) --second;
+    const Index3 c = strain.grid->cell(s);
+    bool all = true;
+    for (int n = 0; n < 16; ++n) {
+      Index3 at = c;
+      at[first] += n / 4 - (own[first] > 0 ? 1 : 2);
+      at[second] += n % 4 - (own[second] > 0 ? 1 : 2);
+      slots[n] = strain.grid->find(at);
+      if (slots[n] != kNoSlot && strain.known[to][slots[n]] == 0) slots[n] = kNoSlot;
+      all = all && slots[n] != kNoSlot;
+    }
+    constexpr std::array<double, 4> cubic{-1.0 / 16, 9.0 / 16, 9.0 / 16, -1.0 / 16};
+    double sum = 0;
+    for (int n = 0; n < 16; ++n) {
+      const bool middle = n / 4 % 3 != 0 && n % 4 % 3 != 0;
+      if (all)
+        weights[n] = cubic[n / 4] * cubic[n % 4];
+      else if (middle && slots[n] != kNoSlot)
+        weights[n] = 1;
+      sum += weights[n];
+    }
+    for (double& w : weights) w = sum > 0 ? w / sum : 0;
+  }
+
+  double mean(const std::vector<double>& values) const {
+    double sum = 0;
+    for (int n = 0; n < 16; ++n)
+      if (weights[n] != 0) sum += weights[n] * values[slots[n]];
+    return sum;
+  }
+};
+
+/// The whole tensor at a place, of which the other places' components are means there of the fourth
+/// order: those of the second would turn what changes within some cells too little.
+Eigen::Matrix3d tensor_at(const Strain& strain, int place, Slot s) {
   Eigen::Matrix3d t;
-  for (int place = 0; place < 4; ++place) {
-    const GridCorners corners(*strain.grid, within(place), p);
-    for_each_component(place, [&](int c) {
-      const auto [i, j] = entry(c);
-      t(i, j) = t(j, i) = corners.value(strain.elastic.part(c), strain.known[place], 0);
-    });
+  const auto set = [&](int c, double value) {
+    const auto [i, j] = entry(c);
+    t(i, j) = t(j, i) = value;
+  };
+  for (int other = 0; other < 4; ++other) {
+    if (other == place) {
+      for_each_component(place, [&](int c) { set(c, strain.elastic.part(c)[s]); });
+    } else {
+      const PlacesRound round(strain, place, s, other);
+      for_each_component(other, [&](int c) { set(c, round.mean(strain.elastic.part(c))); });
+    }
   }
   return t;
 }
@@ -60,15 +109,15 @@ Point spin(const MacVelocity& u, const Point& p) {
          Point(slope(2, 1) - slope(1, 2), slope(0, 2) - slope(2, 0), slope(1, 0) - slope(0, 1));
 }
 
-/// Each component changes by what the turn of the whole tensor there, of which the other components
-/// are means of those round it, changes of it.
+/// Each component changes by what the turn of the whole tensor there changes of it, so that what
+/// does not turn is left as it is.
 TensorField turned(const Strain& strain, const MacVelocity& u, double dt) {
   TensorField made = strain.elastic;
   for (int place = 0; place < 4; ++place)
     for (Slot s = 0; s < strain.grid->size(); ++s) {
       if (strain.known[place][s] == 0) continue;
       const Point p = position(*strain.grid, place, s);
-      const Eigen::Matrix3d t = tensor_at(strain, p);
+      const Eigen::Matrix3d t = tensor_at(strain, place, s);
       const Point angle = dt * spin(u, p);
       if (t.isZero(0) || angle.isZero(0)) continue;
       const Eigen::Matrix3d turn =

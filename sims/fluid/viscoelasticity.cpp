@@ -215,7 +215,7 @@ void stretch(Strain& strain, const MacVelocity& velocity, const Liquid& liquid,
     so_far.part(c)[s] = h * memory.kept / memory.time * strain.elastic.part(c)[s];
   });
   MacVelocity filled = velocity;
-  relax_empty_faces(filled, rate, {1, &so_far, nullptr});
+  relax_empty_faces(filled, rate, {1, &so_far, nullptr}, liquid);
   strain.elastic.fill(rate.grid().size(), 0);
   rate.for_each([&](const RateStencil& r, int c, Slot s) {
     strain.elastic.part(c)[s] =

@@ -28,13 +28,19 @@ ViscousSystem::Term term(const RateStencil& r, const StrainRate& rate, const Mac
   return t;
 }
 
+/// One of the two cells at the face is liquid.
+bool touches(const Liquid& liquid, int axis, Slot s) {
+  const Slot low = liquid.grid->neighbour(s, axis, -1);
+  return liquid.inside(s) || (low != kNoSlot && liquid.inside(low));
+}
+
 void number_faces(ViscousSystem& system, Numbers& numbers, const MacVelocity& velocity,
-                  const StrainRate& rate, Unknowns which) {
+                  const StrainRate& rate, const Liquid* liquid) {
   for (int a = 0; a < 3; ++a) numbers[a].assign(rate.grid().size(), ViscousSystem::kNone);
   rate.for_each([&](const RateStencil& r, int, Slot) {
     for (int n = 0; n < r.faces; ++n)
       if (!rate.held(r.axis[n], r.slot[n]) &&
-          (which == Unknowns::all || !(rate.share(r.axis[n], r.slot[n]) > 0)))
+          (liquid == nullptr || !touches(*liquid, r.axis[n], r.slot[n])))
         numbers[r.axis[n]][r.slot[n]] = 0;
   });
   for (Slot s = 0; s < rate.grid().size(); ++s)
@@ -47,7 +53,7 @@ void number_faces(ViscousSystem& system, Numbers& numbers, const MacVelocity& ve
       numbers[a][s] = static_cast<std::uint32_t>(system.faces.size());
       system.faces.push_back({s, a});
       system.before.push_back(u);
-      system.mass.push_back(velocity.known[a][s] != 0 ? rate.share(a, s) : 0);
+      system.mass.push_back(liquid == nullptr && velocity.known[a][s] != 0 ? rate.share(a, s) : 0);
     }
 }
 
@@ -84,8 +90,8 @@ double size_of(const ViscousSystem& system, const std::vector<double>& scale) {
 /// velocity means nothing: this part of the diagonal keeps that from changing.
 constexpr double kPinned = 1e-9;
 
-/// What is left of the strain that empty faces can take up; that is no more than its own error.
-constexpr SolverOptions kRelaxing{1e-3, 200};
+/// What is left of the strain that these faces can take up: in a stiff liquid its energy counts.
+constexpr SolverOptions kRelaxing{1e-8, 500};
 /// A residual of so little of its parts is the rounding of these.
 constexpr double kRounding = 1e-13;
 
@@ -152,11 +158,11 @@ std::size_t ViscousSystem::memory() const {
 }
 
 ViscousSystem viscous_system(const MacVelocity& velocity, const StrainRate& rate,
-                             const StressStep& step, Unknowns which) {
+                             const StressStep& step, const Liquid* liquid) {
   ViscousSystem system;
   system.grid = &rate.grid();
   Numbers numbers;
-  number_faces(system, numbers, velocity, rate, which);
+  number_faces(system, numbers, velocity, rate, liquid);
   std::array<std::size_t, 3> held{};
   rate.for_each([&](const RateStencil& r, int component, Slot s) {
     ViscousSystem::Term t = term(r, rate, velocity, numbers);
@@ -232,8 +238,9 @@ DiffusionReport step_stress(MacVelocity& velocity, const StrainRate& rate, const
   return report;
 }
 
-void relax_empty_faces(MacVelocity& velocity, const StrainRate& rate, const StressStep& step) {
-  const ViscousSystem system = viscous_system(velocity, rate, step, Unknowns::empty);
+void relax_empty_faces(MacVelocity& velocity, const StrainRate& rate, const StressStep& step,
+                       const Liquid& liquid) {
+  const ViscousSystem system = viscous_system(velocity, rate, step, &liquid);
   const std::vector<double> scale = scales(system);
   std::vector<double> v = system.before;
   std::vector<double> rest = residual(system, v, false);

@@ -51,15 +51,10 @@ struct ViscousSystem {
   std::size_t memory() const;
 };
 
-/// Which faces a system solves for; all others of its terms are as they are.
-enum class Unknowns {
-  all,   ///< that no solid holds
-  empty  ///< that have no liquid of their own
-};
-
+/// With `liquid`, only faces that touch no cell of it are solved for, without their masses.
 /// \throw InvalidInput if a velocity that counts is not finite
 ViscousSystem viscous_system(const MacVelocity& velocity, const StrainRate& rate,
-                             const StressStep& step, Unknowns which = Unknowns::all);
+                             const StressStep& step, const Liquid* liquid = nullptr);
 
 /// What a viscous step did: the solve, and the bytes it held at once beside its input.
 struct DiffusionReport : SolveReport {
@@ -78,8 +73,9 @@ DiffusionReport solve(const ViscousSystem& system, std::vector<double>& v,
 DiffusionReport step_stress(MacVelocity& velocity, const StrainRate& rate, const StressStep& step,
                             const SolverOptions& options);
 
-/// Gives the faces that stress reaches, but that have no liquid of their own, what makes the stress
-/// there least, as step_stress would: what extrapolates a velocity without strain has none then.
-void relax_empty_faces(MacVelocity& velocity, const StrainRate& rate, const StressStep& step);
+/// Gives faces that stress reaches, but that touch no liquid cell, so that no projection gives them
+/// a velocity, the one that makes the stress least: what is extrapolated there else would strain.
+void relax_empty_faces(MacVelocity& velocity, const StrainRate& rate, const StressStep& step,
+                       const Liquid& liquid);
 
 }  // namespace suture
