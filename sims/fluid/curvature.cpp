@@ -62,6 +62,7 @@ struct Shape {
 struct Forms {
   std::vector<Point> area_gradient, volume_gradient, solid;  ///< solid: sum of wet normals
   Vector share, third;  ///< of the area: what is nearest to the vertex; a third of each triangle
+  Vector stiffness;     ///< a vertex's own part of the coupling
   std::vector<Eigen::Triplet<Complex>> coupling;
 
   explicit Forms(std::size_t vertices)
@@ -69,7 +70,8 @@ struct Forms {
         volume_gradient(area_gradient),
         solid(area_gradient),
         share(Vector::Zero(static_cast<Eigen::Index>(vertices))),
-        third(share) {}
+        third(share),
+        stiffness(share) {}
 };
 
 void add_triangle(const Shape& shape, const Triangle& t, double smoothing, Forms& forms) {
@@ -80,17 +82,17 @@ void add_triangle(const Shape& shape, const Triangle& t, double smoothing, Forms
     forms.volume_gradient[t[k]] += shape.normal / 6;
     forms.share[t[k]] += shape.share(k);
     forms.third[t[k]] += shape.twice_area / 6;
-    const Complex weight(0, spread / 2 * std::clamp(shape.cotangent(k), 0.0, kMostCotangent));
-    forms.coupling.emplace_back(a, a, weight);
-    forms.coupling.emplace_back(b, b, weight);
-    forms.coupling.emplace_back(a, b, -weight);
-    forms.coupling.emplace_back(b, a, -weight);
+    const double weight = spread / 2 * std::clamp(shape.cotangent(k), 0.0, kMostCotangent);
+    forms.stiffness[a] += weight;
+    forms.stiffness[b] += weight;
+    forms.coupling.emplace_back(a, b, Complex(0, -weight));
+    forms.coupling.emplace_back(b, a, Complex(0, -weight));
   }
 }
 
 Forms forms_of(const Triangles& surface, double h, const CurvatureOptions& options) {
   Forms forms(surface.positions.size());
-  forms.coupling.reserve(12 * surface.triangles.size());
+  forms.coupling.reserve(6 * surface.triangles.size());
   for (const Triangle& t : surface.triangles) {
     const Shape shape(surface, t, h);
     if (wet(t, options.on_solid))
@@ -125,7 +127,10 @@ class Filter {
       : share_(forms.share.cwiseMax(kLeastShare * forms.third).cwiseMax(kLeastArea)),
         matrix_(share_.size(), share_.size()) {
     matrix_.setFromTriplets(forms.coupling.begin(), forms.coupling.end());
-    matrix_ += Matrix(share_.cast<Complex>().asDiagonal());
+    Eigen::VectorXcd own(share_.size());
+    own.real() = share_;
+    own.imag() = forms.stiffness;
+    matrix_ += Matrix(own.asDiagonal());
     solver_.setTolerance(kTolerance);
     solver_.compute(matrix_);
   }
