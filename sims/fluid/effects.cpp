@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "sims/fluid/surface_tension.h"
+#include "sims/fluid/surface_velocity.h"
 #include "sims/fluid/viscosity.h"
 
 namespace suture {
@@ -28,6 +29,7 @@ struct Effects::State {
   Strain strain;                        ///< empty where the scene names no elasticity
   std::optional<VolumeControl> volume;  ///< from the first step on, if the scene names it
   std::array<std::vector<double>, 3> jump;
+  std::optional<SurfaceVelocity> ripples;  ///< with surface tension
   std::vector<double> divergence;
 
   void viscosity(const StepState& step);
@@ -35,7 +37,7 @@ struct Effects::State {
 };
 
 Effects::Effects(const FluidOptions& options, ModuleCosts& costs)
-    : state_(new State{options, costs, {}, {}, {}, {}, {}}) {
+    : state_(new State{options, costs, {}, {}, {}, {}, {}, {}}) {
   if (options.viscoelasticity) state_->elastic = *options.viscoelasticity;
   state_->elastic.density = options.density;
 }
@@ -99,8 +101,10 @@ const std::array<std::vector<double>, 3>* Effects::jump(const StepState& step) {
     s.jump = tension_jump(step.surface, NearestTriangle(step.surface),
                           mean_curvature(step.surface, h, curvature), step.liquid,
                           *s.options.surface_tension);
+    s.ripples.emplace(step.surface, ripple_velocity(step.surface, h, s.options.density,
+                                                    *s.options.surface_tension, curvature));
   });
-  s.costs.holds("surface_tension", 3 * s.jump[0].size() * sizeof(double) +
+  s.costs.holds("surface_tension", 3 * s.jump[0].size() * sizeof(double) + s.ripples->memory() +
                                        step.surface.positions.size() * sizeof(double));
   return &s.jump;
 }
@@ -114,6 +118,10 @@ const std::vector<double>* Effects::divergence(const StepState& step) {
   });
   s.costs.holds("volume_control", s.volume->memory() + s.divergence.size() * sizeof(double));
   return &s.divergence;
+}
+
+Point Effects::of_surface(const Point& p) const {
+  return state_->ripples ? state_->ripples->at(p) : Point(Point::Zero());
 }
 
 void Effects::moving(SurfaceTracker& surface, const std::function<void()>& advect,

@@ -45,6 +45,9 @@ class Effects {
   const std::array<std::vector<double>, 3>* jump(const StepState& step);
   const std::vector<double>* divergence(const StepState& step);
 
+  /// What the surface does of itself at p near it, beside what flows there.
+  Point of_surface(const Point& p) const;
+
   /// Moves the surface by `advect`, whose paths `move` gives, and tells whoever follows volumes.
   void moving(SurfaceTracker& surface, const std::function<void()>& advect,
               const std::function<Point(const Point&)>& move);

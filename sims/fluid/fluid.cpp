@@ -125,7 +125,7 @@ void Fluid::State::make_incompressible(const StepState& step) {
 void Fluid::State::move(SurfaceTracker& surface, double dt) {
   const double h = options.cell_size;
   const VelocityField field = [&](const Point& p, double) {
-    const Point v = velocity.at(p);
+    const Point v = velocity.at(p) + effects->of_surface(p);
     return solids.any() ? kept_out(solids, p, v, time, dt, h) : v;
   };
   effects->moving(

@@ -1,190 +1,15 @@
-// Surface tension: the mean curvature of the tracked surface, and the pressure jump it makes at
-// the faces of the physics grid that the surface crosses.
+// Surface tension: the pressure jump that curvature makes at the faces of the physics grid that the
+// surface crosses, and what the surface does of itself.
 #include "sims/fluid/surface_tension.h"
 
-#include <Eigen/IterativeLinearSolvers>
-#include <Eigen/SparseCore>
-#include <algorithm>
 #include <cmath>
-#include <complex>
-#include <limits>
 #include <numbers>
 
 #include "kernel/errors.h"
 #include "sims/fluid/crossing.h"
+#include "sims/fluid/surface_velocity.h"
 
 namespace suture {
-namespace {
-
-using Complex = std::complex<double>;
-using Matrix = Eigen::SparseMatrix<Complex>;
-using Vector = Eigen::VectorXd;
-
-/// The largest cotangent that couples vertices, that of 14°: the tracker's improvement leaves no
-/// smaller angle, and what a sliver couples more firmly only takes the solver longer.
-constexpr double kMostCotangent = 4;
-/// × a third of the triangles at a vertex: the least of their area that is its own.
-constexpr double kLeastShare = 0.25;
-/// × h²: the least area of a vertex; one without an area of its own follows its neighbours.
-constexpr double kLeastArea = 1e-9;
-/// Relative; far below what the curvature of a mesh is off by.
-constexpr double kTolerance = 1e-7;
-
-bool wet(const Triangle& t, const std::vector<std::uint8_t>* on_solid) {
-  return on_solid != nullptr && (*on_solid)[t[0]] != 0 && (*on_solid)[t[1]] != 0 &&
-         (*on_solid)[t[2]] != 0;
-}
-
-/// A triangle in cells: its sides (side k is opposite corner k), normal × 2·area and 2·area.
-struct Shape {
-  std::array<Point, 3> side;
-  Point normal;
-  double twice_area;
-
-  Shape(const Triangles& surface, const Triangle& t, double h) {
-    for (int k = 0; k < 3; ++k)
-      side[k] = (surface.positions[t[(k + 2) % 3]] - surface.positions[t[(k + 1) % 3]]) / h;
-    normal = side[0].cross(side[1]);
-    twice_area = normal.norm();
-  }
-  Point gradient(int k) const {  // of the area by corner k
-    return normal.cross(side[k]) / (2 * twice_area);
-  }
-  double cotangent(int k) const { return -side[(k + 1) % 3].dot(side[(k + 2) % 3]) / twice_area; }
-  /// Of the area what is nearest to corner k: less than nothing beside an obtuse angle.
-  double share(int k) const {
-    const int i = (k + 1) % 3, j = (k + 2) % 3;
-    return (side[i].squaredNorm() * cotangent(i) + side[j].squaredNorm() * cotangent(j)) / 8;
-  }
-};
-
-/// What triangles give to their vertices, in cells.
-struct Forms {
-  std::vector<Point> area_gradient, volume_gradient, solid;  ///< solid: sum of wet normals
-  Vector share, third;  ///< of the area: what is nearest to the vertex; a third of each triangle
-  std::vector<Eigen::Triplet<Complex>> coupling;
-
-  explicit Forms(std::size_t vertices)
-      : area_gradient(vertices, Point::Zero()),
-        volume_gradient(area_gradient),
-        solid(area_gradient),
-        share(Vector::Zero(static_cast<Eigen::Index>(vertices))),
-        third(share) {}
-};
-
-void add_triangle(const Shape& shape, const Triangle& t, double spread, Forms& forms) {
-  for (int k = 0; k < 3; ++k) {
-    const std::uint32_t a = t[(k + 1) % 3], b = t[(k + 2) % 3];
-    forms.area_gradient[t[k]] += shape.gradient(k);
-    forms.volume_gradient[t[k]] += shape.normal / 6;
-    forms.share[t[k]] += shape.share(k);
-    forms.third[t[k]] += shape.twice_area / 6;
-    const Complex weight(0, spread / 2 * std::clamp(shape.cotangent(k), 0.0, kMostCotangent));
-    forms.coupling.emplace_back(a, a, weight);
-    forms.coupling.emplace_back(b, b, weight);
-    forms.coupling.emplace_back(a, b, -weight);
-    forms.coupling.emplace_back(b, a, -weight);
-  }
-}
-
-Forms forms_of(const Triangles& surface, double h, const CurvatureOptions& options) {
-  Forms forms(surface.positions.size());
-  forms.coupling.reserve(12 * surface.triangles.size());
-  const double spread = options.smoothing * options.smoothing;
-  for (const Triangle& t : surface.triangles) {
-    const Shape shape(surface, t, h);
-    if (wet(t, options.on_solid))
-      for (const std::uint32_t v : t) forms.solid[v] += shape.normal;
-    else if (shape.twice_area > 0)
-      add_triangle(shape, t, spread, forms);
-  }
-  return forms;
-}
-
-/// The area's gradient along the volume's, at the contact line with their mirror images: of these
-/// only what is along the solid remains.
-Vector integrated_curvature(const Forms& forms) {
-  Vector curvature = Vector::Zero(forms.share.size());
-  for (std::size_t v = 0; v < forms.solid.size(); ++v) {
-    Point area = forms.area_gradient[v], volume = forms.volume_gradient[v];
-    if (const double length = forms.solid[v].norm(); length > 0) {
-      const Point normal = forms.solid[v] / length;
-      area -= area.dot(normal) * normal;
-      volume -= volume.dot(normal) * normal;
-    }
-    if (const double length = volume.norm(); length > 0)
-      curvature[static_cast<Eigen::Index>(v)] = area.dot(volume) / length;
-  }
-  return curvature;
-}
-
-/// The real part of 1/(1 + is) is 1/(1 + s²): with s = (k·smoothing)² one complex solution filters.
-Vector filtered(const Forms& forms) {
-  const Vector integrated = integrated_curvature(forms);
-  const Vector share = forms.share.cwiseMax(kLeastShare * forms.third).cwiseMax(kLeastArea);
-  Matrix matrix(share.size(), share.size());
-  matrix.setFromTriplets(forms.coupling.begin(), forms.coupling.end());
-  matrix += Matrix(share.cast<Complex>().asDiagonal());
-  Eigen::BiCGSTAB<Matrix> solver(matrix);
-  solver.setTolerance(kTolerance);
-  Vector curvature = solver.solve(integrated.cast<Complex>()).real();
-  if (!curvature.allFinite())
-    throw InternalFailure("surface tension", "the filter of the curvature has no solution");
-  return curvature;
-}
-
-/// Weights of a's, b's and c's corners at the triangle's point nearest to p.
-Point weights_at(const Point& p, const std::array<Point, 3>& corner) {
-  const Point u = corner[1] - corner[0], v = corner[2] - corner[0], w = p - corner[0];
-  const Point normal = u.cross(v);
-  if (const double n2 = normal.squaredNorm(); n2 > 0) {
-    const double b = w.cross(v).dot(normal) / n2, c = u.cross(w).dot(normal) / n2;
-    if (b >= 0 && c >= 0 && b + c <= 1) return {1 - b - c, b, c};
-  }
-  Point best = Point::Zero();
-  double least = std::numeric_limits<double>::infinity();
-  for (int k = 0; k < 3; ++k) {
-    const Point &from = corner[k], side = corner[(k + 1) % 3] - from;
-    const double length2 = side.squaredNorm();
-    const double along = length2 > 0 ? std::clamp((p - from).dot(side) / length2, 0.0, 1.0) : 0;
-    const double distance2 = (p - from - along * side).squaredNorm();
-    if (!(distance2 < least)) continue;
-    least = distance2;
-    best = Point::Zero();
-    best[k] = 1 - along;
-    best[(k + 1) % 3] = along;
-  }
-  return best;
-}
-
-}  // namespace
-
-std::vector<Point> area_gradient(const Triangles& surface) {
-  std::vector<Point> gradient(surface.positions.size(), Point::Zero());
-  for (const Triangle& t : surface.triangles)
-    if (const Shape shape(surface, t, 1); shape.twice_area > 0)
-      for (int k = 0; k < 3; ++k) gradient[t[k]] += shape.gradient(k);
-  return gradient;
-}
-
-std::vector<double> mean_curvature(const Triangles& surface, double h,
-                                   const CurvatureOptions& options) {
-  if (!(h > 0) || !std::isfinite(h))
-    throw InvalidInput("curvature needs cells of a finite positive size, not " + number(h));
-  if (options.on_solid != nullptr && options.on_solid->size() != surface.positions.size())
-    throw InvalidInput("curvature needs as many flags of solids as the surface has vertices");
-  std::vector<double> result(surface.positions.size(), 0);
-  if (surface.positions.empty()) return result;
-  const Vector curvature = filtered(forms_of(surface, h, options));
-  for (const Triangle& t : surface.triangles)
-    if (!wet(t, options.on_solid))
-      for (const std::uint32_t v : t) {
-        const double in_cells = curvature[static_cast<Eigen::Index>(v)];
-        result[v] = std::clamp(in_cells, -options.most, options.most) / h;
-      }
-  return result;
-}
-
 std::array<std::vector<double>, 3> tension_jump(const Triangles& surface,
                                                 const NearestTriangle& nearest,
                                                 const std::vector<double>& curvature,
@@ -192,10 +17,9 @@ std::array<std::vector<double>, 3> tension_jump(const Triangles& surface,
   std::array<std::vector<double>, 3> jump;
   for (std::vector<double>& along : jump) along.assign(liquid.grid->size(), 0);
   for_each_crossing(liquid, [&](int axis, Slot face, Slot, const Point& at) {
-    const Triangle& t = surface.triangles[nearest.triangle(at)];
-    const Point weight =
-        weights_at(at, {surface.positions[t[0]], surface.positions[t[1]], surface.positions[t[2]]});
-    for (int k = 0; k < 3; ++k) jump[axis][face] += tension * weight[k] * curvature[t[k]];
+    const SurfacePlace place = nearest_place(surface, nearest, at);
+    for (int k = 0; k < 3; ++k)
+      jump[axis][face] += tension * place.weights[k] * curvature[place.corners[k]];
   });
   return jump;
 }
@@ -203,10 +27,20 @@ std::array<std::vector<double>, 3> tension_jump(const Triangles& surface,
 double capillary_step(double h, double density, double tension) {
   if (!(h > 0) || !std::isfinite(h) || !(density > 0) || !std::isfinite(density) ||
       !(tension >= 0) || !std::isfinite(tension))
-    throw InvalidInput("a capillary wave needs a finite positive cell size and density, and a " +
-                       ("tension that is not negative; they are " + number(h)) + ", " +
-                       number(density) + " and " + number(tension));
+    throw InvalidInput(
+        "a capillary wave needs a finite positive cell size and density, and a tension that is not "
+        "negative; they are " +
+        number(h) + ", " + number(density) + " and " + number(tension));
   return h * std::sqrt(density * h / (4 * std::numbers::pi * tension));
+}
+
+std::vector<Point> ripple_velocity(const Triangles& surface, double h, double density,
+                                   double tension, CurvatureOptions options) {
+  options.smoothing /= 2;
+  std::vector<Point> velocity = ripples(surface, h, options);
+  const double rate = kRippleRate / capillary_step(h, density, tension);
+  for (Point& v : velocity) v *= rate;
+  return velocity;
 }
 
 }  // namespace suture

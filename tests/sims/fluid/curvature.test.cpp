@@ -124,3 +124,51 @@ TEST_CASE("a drop that sits on a wall has the curvature of the ball it is half o
   CHECK(worst_free > 0.5);
   CHECK(middle == 0);
 }
+
+TEST_CASE("ripples are taken out, and the shape of many cells stays") {
+  const double r = 8;
+  const auto waved = [&](int n, double height) {  // n periods round the z axis
+    Triangles s = drop(r, 0.5);
+    for (Point& p : s.positions) {
+      const Point x = p - kDropCentre;
+      const double round = std::hypot(x[0], x[1]) / r;
+      p = kDropCentre +
+          x * (1 + height / r * std::pow(round, n) * std::cos(n * std::atan2(x[1], x[0])));
+    }
+    return s;
+  };
+  const double height = 0.05;
+  const auto taken = [&](int n) {  // at the equator, where the wave is as long as it says
+    const Triangles s = waved(n, height);
+    const std::vector<Point> away = ripples(s, 1, {.smoothing = 0.5});
+    double part = 0, sum = 0;
+    for (std::size_t v = 0; v < away.size(); ++v) {
+      const Point x = s.positions[v] - kDropCentre;
+      if (std::abs(x[2]) > 1) continue;
+      const double wave = std::cos(n * std::atan2(x[1], x[0]));
+      part -= away[v].dot(x.normalized()) * wave;
+      sum += wave * wave * height;
+    }
+    return part / sum;
+  };
+  CHECK(std::abs(taken(2)) < 2e-5);  // measured: 9e-6; a wavelength of 25 cells
+  CHECK(taken(4) < 6e-4);            // 4.2e-4; 13 cells
+  CHECK(taken(16) > 0.2);            // 0.24; 3 cells
+  CHECK(taken(24) > 0.25);           // 0.30; 2 cells
+  for (const Point& p : ripples(drop(r, 0.7), 1)) REQUIRE(p.norm() < 1e-5);
+
+  Triangles noisy = drop(r, 0.7);
+  Random random(7);
+  for (Point& p : noisy.positions) p += 0.02 * random_vector(random);
+  const double before = volume(noisy);
+  const double rough = errors(mean_curvature(noisy, 1, {.smoothing = 0.3}), 2 / r).rms;
+  for (int i = 0; i < 20; ++i) {
+    const std::vector<Point> away = ripples(noisy, 1, {.smoothing = 0.5});
+    for (std::size_t v = 0; v < away.size(); ++v) noisy.positions[v] += away[v];
+  }
+  const double smooth = errors(mean_curvature(noisy, 1, {.smoothing = 0.3}), 2 / r).rms;
+  CAPTURE(rough, smooth, volume(noisy) / before - 1);
+  CHECK(rough > 0.2);                                  // measured: 0.22
+  CHECK(smooth < 0.01);                                // 0.0076
+  CHECK(std::abs(volume(noisy) / before - 1) < 1e-5);  // 1.2e-6
+}
