@@ -26,6 +26,16 @@ void check(const FluidOptions& o) {
   require(o.gravity.allFinite() && o.origin.allFinite(), "gravity and origin must be finite");
   require(o.cfl > 0 && std::isfinite(o.cfl), "cfl must be finite and above 0");
   require(o.most_steps > 0, "most_steps must be 1 or more");
+  const auto at_least_0 = [](double x) { return x >= 0 && std::isfinite(x); };
+  require(at_least_0(o.viscosity.value_or(0)), "viscosity must be finite and at least 0");
+  require(at_least_0(o.surface_tension.value_or(0)), "tension must be finite and at least 0");
+  if (o.viscoelasticity) {
+    const ElasticOptions& e = *o.viscoelasticity;
+    require(at_least_0(e.modulus), "modulus must be finite and at least 0");
+    require(e.yield_strain > 0 && e.relaxation_time > 0,
+            "yield_strain and relaxation_time must be above 0");
+    require(e.flow_rate >= 0, "flow_rate must be at least 0");
+  }
 }
 
 std::size_t memory(const MacVelocity& velocity) {

@@ -66,12 +66,17 @@ using IjVector = Owned<HYPRE_IJVector, HYPRE_IJVectorDestroy>;
 using Amg = Owned<HYPRE_Solver, HYPRE_BoomerAMGDestroy>;
 using RowsCg = Owned<HYPRE_Solver, HYPRE_ParCSRPCGDestroy>;
 
-/// Throws what HYPRE complains of, except that it did not converge, which the report tells.
+/// Throws what HYPRE complains of, except that it did not converge, or that conjugate gradients
+/// broke down on a cycle that is not positive: the residual tells either.
 void check_hypre() {
   const HYPRE_Int error = HYPRE_GetError();
   HYPRE_ClearAllErrors();
-  if ((error & ~HYPRE_ERROR_CONV) != 0)
+  if ((error & ~(HYPRE_ERROR_CONV | HYPRE_ERROR_GENERIC)) != 0)
     throw InternalFailure("linear solver", "HYPRE's error " + std::to_string(error));
+}
+
+bool all_finite(const std::vector<double>& values) {
+  return std::all_of(values.begin(), values.end(), [](double v) { return std::isfinite(v); });
 }
 
 /// A preconditioner does one cycle, from 0.
@@ -271,15 +276,16 @@ void solve_boxes(const SevenPoint& matrix, const std::vector<CellBox>& boxes,
   iterations += done;
   check_hypre();
 
-  std::vector<double> values;
+  std::vector<double> values, found = x;
   for (const CellBox& box : boxes) {
     values.resize(box.cells());
     Index3 low = turned(box.low), high = turned(box.high);
     HYPRE_StructVectorGetBoxValues(y.get(), low.data(), high.data(), values.data());
     visit_box(cells, box, [&](Slot s, std::size_t n) {
-      if (matrix.active[s] != 0) x[s] = std::ldexp(values[n], scale.right - scale.matrix);
+      if (matrix.active[s] != 0) found[s] = std::ldexp(values[n], scale.right - scale.matrix);
     });
   }
+  if (all_finite(found)) x = std::move(found);
 }
 
 void solve_rows(const SparseRows& matrix, const std::vector<double>& right, std::vector<double>& x,
@@ -310,8 +316,10 @@ void solve_rows(const SparseRows& matrix, const std::vector<double>& right, std:
   HYPRE_PCGGetNumIterations(handle, &done);
   iterations += done;
   check_hypre();
-  HYPRE_IJVectorGetValues(y.get(), static_cast<HYPRE_Int>(x.size()), nullptr, x.data());
-  for (double& value : x) value = std::ldexp(value, scale.right - scale.matrix);
+  std::vector<double> found(x.size());
+  HYPRE_IJVectorGetValues(y.get(), static_cast<HYPRE_Int>(x.size()), nullptr, found.data());
+  for (double& value : found) value = std::ldexp(value, scale.right - scale.matrix);
+  if (all_finite(found)) x = std::move(found);
 }
 
 }  // namespace suture

@@ -64,6 +64,7 @@ inline constexpr Golden kGolden[] = {
     {"shape sheet", 0xe5200301022caccdULL},
     {"shape carved_ball", 0xe66bfe7afeca2ef3ULL},
     {"shape animal", 0xa6ac4e0925d49a60ULL},
+    {"shape hand", 0x6378cf8c2755f5e0ULL},
 };
 // clang-format on
 
