@@ -134,9 +134,12 @@ void Fluid::State::make_incompressible(const StepState& step) {
 
 void Fluid::State::move(SurfaceTracker& surface, double dt) {
   const double h = options.cell_size;
+  // Vertices are kept out of solids; a level set moves there too, along them, or the air behind a
+  // wall would be pulled into the liquid.
+  const bool keeps_out = solids.any() && surface.keeps_triangles();
   const VelocityField field = [&](const Point& p, double) {
     const Point v = velocity.at(p) + effects->of_surface(p);
-    return solids.any() ? kept_out(solids, p, v, time, dt, h) : v;
+    return keeps_out ? kept_out(solids, p, v, time, dt, h) : v;
   };
   effects->moving(
       surface, [&] { costs.timed("surface", [&] { surface.advect(field, dt); }); },
