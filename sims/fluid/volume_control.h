@@ -8,7 +8,8 @@
 
 namespace suture {
 
-/// How fast lost volume comes back [Kim et al. 2007].
+/// How fast lost volume comes back [Kim et al. 2007]. Who loses a share of the volume in every step
+/// is short of `relaxation` times that, less what the integral part balances.
 struct VolumeControlOptions {
   /// Steps in which an error falls to 1/e; above 2, or the flow, which answers a step late, swings.
   double relaxation = 10;

@@ -218,7 +218,7 @@ TEST_CASE("a drop swings at Lamb's frequency") {
   const int steps = run.fluid->steps_in(period);
   double before = bend, turned = 0;
   std::vector<double> crossed;
-  for (int i = 1; i <= steps; ++i) {
+  for (int i = 1; crossed.size() < 2 && i <= steps; ++i) {
     run.fluid->step(*run.surface, period / steps);
     const double now = bend_along(run.surface->surface(), kDropCentre, axis, r);
     if (before * now < 0) crossed.push_back((i - now / (now - before)) / steps);
@@ -226,8 +226,7 @@ TEST_CASE("a drop swings at Lamb's frequency") {
     before = now;
   }
   REQUIRE(crossed.size() == 2);
-  CAPTURE(crossed[0], crossed[1], turned / bend, before / bend);
+  CAPTURE(crossed[0], crossed[1], turned / bend);
   CHECK(2 * (crossed[1] - crossed[0]) == Approx(1).epsilon(0.05));  // 1.031
   CHECK(turned < -0.95 * bend);                                     // -0.981
-  CHECK(before > 0.9 * bend);                                       // 0.944
 }
