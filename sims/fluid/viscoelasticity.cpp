@@ -101,25 +101,25 @@ void flow(Strain& strain, const TensorField& factors) {
   }
 }
 
-/// How a step weighs the strain rate at its end, and takes off that of its begin, so that its
-/// stress is the one half a step on. With 1/4 of each a wave keeps its energy [Newmark 1959]; 1 and
-/// 0 damp what steps do not resolve. Stable while their sum is at least 1/2.
+/// How a step weighs the strain rate at its end, and takes off that at its begin, whereby its
+/// stress is the one half a step on. Halves keep the energy of what they resolve, and 1 and 0 damp
+/// what they do not. Stable when begin ≤ end; with viscosity between, which damps the begin's
+/// velocity, only while end ≥ 1/2, though 1/4 of each would be more exact alone [Newmark 1959].
 struct Weights {
   double end, begin;
 
   Weights(double waves_per_cell, double kept) {
-    const double resolved = kept / std::max(1.0, waves_per_cell);
-    end = 1 - 0.75 * resolved;
-    begin = 0.25 * resolved;
+    begin = 0.5 * kept / std::max(1.0, waves_per_cell);
+    end = 1 - begin;
   }
 };
 
 /// One step of the stress, without flow.
 class Push {
  public:
-  Push(const MacVelocity& before, const Strain& strain, const StrainRate& rate,
-       const ElasticOptions& o, double dt)
-      : strain_(strain), rate_(rate), memory_(o, dt) {
+  Push(const MacVelocity& before, const Strain& strain, const Liquid& liquid,
+       const StrainRate& rate, const ElasticOptions& o, double dt)
+      : strain_(strain), liquid_(liquid), rate_(rate), memory_(o, dt) {
     const double h = rate.grid().h();
     const double squared = o.modulus / o.density / h * (dt / h) * memory_.time;
     const Weights weights(std::sqrt(squared), memory_.kept);
@@ -135,7 +135,7 @@ class Push {
 
   DiffusionReport act(MacVelocity& velocity, const TensorField& factors,
                       const SolverOptions& solver) const {
-    const StressStep step{stiffness_, &offset_, factors.any() ? &factors : nullptr};
+    const StressStep step{stiffness_, &offset_, factors.any() ? &factors : nullptr, &liquid_};
     DiffusionReport report = step_stress(velocity, rate_, step, solver);
     report.memory += offset_.memory() + factors.memory();
     return report;
@@ -154,6 +154,7 @@ class Push {
 
  private:
   const Strain& strain_;
+  const Liquid& liquid_;
   const StrainRate& rate_;
   Memory memory_;
   double stiffness_;
@@ -183,7 +184,7 @@ DiffusionReport push(MacVelocity& velocity, const Strain& strain, const Liquid& 
   if (!strain.any() || dt == 0) return {};
   const Shares shares = liquid_shares(liquid);
   const StrainRate rate(shares, solids, options.no_slip);
-  const Push push(velocity, strain, rate, options, dt);
+  const Push push(velocity, strain, liquid, rate, options, dt);
   const MacVelocity before = velocity;
   DiffusionReport report = push.act(velocity, {}, solver);
   Strain where(*strain.grid);
@@ -197,6 +198,9 @@ DiffusionReport push(MacVelocity& velocity, const Strain& strain, const Liquid& 
     report.residual = again.residual;
     report.memory = std::max(report.memory, again.memory);
   }
+  for (int a = 0; a < 3; ++a)  // what relaxes all stress within a step is no velocity to go on with
+    for (Slot s = 0; s < liquid.grid->size(); ++s)
+      if (!rate.held(a, s) && !touches(liquid, a, s)) velocity.u[a][s] = before.u[a][s];
   report.memory += shares.memory();
   return report;
 }
@@ -215,7 +219,7 @@ void stretch(Strain& strain, const MacVelocity& velocity, const Liquid& liquid,
     so_far.part(c)[s] = h * memory.kept / memory.time * strain.elastic.part(c)[s];
   });
   MacVelocity filled = velocity;
-  relax_empty_faces(filled, rate, {1, &so_far, nullptr}, liquid);
+  relax_massless(filled, rate, {1, &so_far, nullptr, &liquid});
   strain.elastic.fill(rate.grid().size(), 0);
   rate.for_each([&](const RateStencil& r, int c, Slot s) {
     strain.elastic.part(c)[s] =

@@ -28,24 +28,28 @@ ViscousSystem::Term term(const RateStencil& r, const StrainRate& rate, const Mac
   return t;
 }
 
-/// One of the two cells at the face is liquid.
-bool touches(const Liquid& liquid, int axis, Slot s) {
-  const Slot low = liquid.grid->neighbour(s, axis, -1);
-  return liquid.inside(s) || (low != kNoSlot && liquid.inside(low));
+double mass(const MacVelocity& velocity, const StrainRate& rate, const Liquid* projected, int axis,
+            Slot s) {
+  if (velocity.known[axis][s] == 0) return 0;
+  if (projected != nullptr && !touches(*projected, axis, s)) return 0;
+  return rate.share(axis, s);
 }
 
 void number_faces(ViscousSystem& system, Numbers& numbers, const MacVelocity& velocity,
-                  const StrainRate& rate, const Liquid* liquid) {
+                  const StrainRate& rate, const Liquid* projected, bool only_massless) {
   for (int a = 0; a < 3; ++a) numbers[a].assign(rate.grid().size(), ViscousSystem::kNone);
   rate.for_each([&](const RateStencil& r, int, Slot) {
     for (int n = 0; n < r.faces; ++n)
-      if (!rate.held(r.axis[n], r.slot[n]) &&
-          (liquid == nullptr || !touches(*liquid, r.axis[n], r.slot[n])))
-        numbers[r.axis[n]][r.slot[n]] = 0;
+      if (!rate.held(r.axis[n], r.slot[n])) numbers[r.axis[n]][r.slot[n]] = 0;
   });
   for (Slot s = 0; s < rate.grid().size(); ++s)
     for (int a = 0; a < 3; ++a) {
       if (numbers[a][s] == ViscousSystem::kNone) continue;
+      const double own = mass(velocity, rate, projected, a, s);
+      if (only_massless && own > 0) {
+        numbers[a][s] = ViscousSystem::kNone;
+        continue;
+      }
       const double u = rate.velocity_at(velocity, a, s);
       if (!std::isfinite(u))
         throw InvalidInput("the velocity is not finite at a face across axis " + std::to_string(a) +
@@ -53,7 +57,7 @@ void number_faces(ViscousSystem& system, Numbers& numbers, const MacVelocity& ve
       numbers[a][s] = static_cast<std::uint32_t>(system.faces.size());
       system.faces.push_back({s, a});
       system.before.push_back(u);
-      system.mass.push_back(liquid == nullptr && velocity.known[a][s] != 0 ? rate.share(a, s) : 0);
+      system.mass.push_back(own);
     }
 }
 
@@ -158,11 +162,11 @@ std::size_t ViscousSystem::memory() const {
 }
 
 ViscousSystem viscous_system(const MacVelocity& velocity, const StrainRate& rate,
-                             const StressStep& step, const Liquid* liquid) {
+                             const StressStep& step, bool only_massless) {
   ViscousSystem system;
   system.grid = &rate.grid();
   Numbers numbers;
-  number_faces(system, numbers, velocity, rate, liquid);
+  number_faces(system, numbers, velocity, rate, step.projected, only_massless);
   std::array<std::size_t, 3> held{};
   rate.for_each([&](const RateStencil& r, int component, Slot s) {
     ViscousSystem::Term t = term(r, rate, velocity, numbers);
@@ -238,9 +242,8 @@ DiffusionReport step_stress(MacVelocity& velocity, const StrainRate& rate, const
   return report;
 }
 
-void relax_empty_faces(MacVelocity& velocity, const StrainRate& rate, const StressStep& step,
-                       const Liquid& liquid) {
-  const ViscousSystem system = viscous_system(velocity, rate, step, &liquid);
+void relax_massless(MacVelocity& velocity, const StrainRate& rate, const StressStep& step) {
+  const ViscousSystem system = viscous_system(velocity, rate, step, true);
   const std::vector<double> scale = scales(system);
   std::vector<double> v = system.before;
   std::vector<double> rest = residual(system, v, false);

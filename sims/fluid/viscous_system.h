@@ -10,6 +10,12 @@
 
 namespace suture {
 
+/// One of the two cells at the face is liquid, so that a projection gives it a velocity.
+inline bool touches(const Liquid& liquid, int axis, Slot face) {
+  const Slot low = liquid.grid->neighbour(face, axis, -1);
+  return liquid.inside(face) || (low != kNoSlot && liquid.inside(low));
+}
+
 /// What a viscous stress does in a step, in velocities: shares, h and density are divided out.
 struct StressStep {
   /// dt·(dynamic viscosity)/(density·h²): what the stress does to a face's velocity per velocity.
@@ -19,6 +25,9 @@ struct StressStep {
   const TensorField* offset = nullptr;
   /// Multiplies the stress of each component. Null: 1.
   const TensorField* factor = nullptr;
+  /// Faces that touch no cell of it have no mass: no projection gives them a velocity, what is
+  /// extrapolated to them means nothing, and as it was they may take what makes the stress least.
+  const Liquid* projected = nullptr;
 };
 
 /// The faces' velocities v that make ½Σ mass·(v − before)² + ½Σ stiffness·(way·v + constant)² over
@@ -51,10 +60,9 @@ struct ViscousSystem {
   std::size_t memory() const;
 };
 
-/// With `liquid`, only faces that touch no cell of it are solved for, without their masses.
 /// \throw InvalidInput if a velocity that counts is not finite
 ViscousSystem viscous_system(const MacVelocity& velocity, const StrainRate& rate,
-                             const StressStep& step, const Liquid* liquid = nullptr);
+                             const StressStep& step, bool only_massless = false);
 
 /// What a viscous step did: the solve, and the bytes it held at once beside its input.
 struct DiffusionReport : SolveReport {
@@ -73,9 +81,8 @@ DiffusionReport solve(const ViscousSystem& system, std::vector<double>& v,
 DiffusionReport step_stress(MacVelocity& velocity, const StrainRate& rate, const StressStep& step,
                             const SolverOptions& options);
 
-/// Gives faces that stress reaches, but that touch no liquid cell, so that no projection gives them
-/// a velocity, the one that makes the stress least: what is extrapolated there else would strain.
-void relax_empty_faces(MacVelocity& velocity, const StrainRate& rate, const StressStep& step,
-                       const Liquid& liquid);
+/// Gives the faces without mass alone what makes the stress least, as step_stress does: what is
+/// extrapolated to them would strain.
+void relax_massless(MacVelocity& velocity, const StrainRate& rate, const StressStep& step);
 
 }  // namespace suture
