@@ -23,44 +23,57 @@ double gain(const VolumeControlOptions& options) {
 
 /// What the bodies of a group had and should have, together.
 struct Group {
-  bool known = false;               ///< there were such bodies
+  bool known = false;
   double target = 0, integral = 0;  ///< integral: weighted by target
   double volume = 0;                ///< now
   std::uint32_t largest = kNone;    ///< body now; takes what rounding leaves of the target
 };
 
-/// Gives the bodies now the targets of those before. Returns the targets that are left over.
-double hand_on(const std::vector<VolumeControl::Body>& before, const BodyGroups& groups,
-               std::vector<VolumeControl::Body>& now) {
+/// Groups without a body on one side become one with that of the largest body now.
+std::vector<std::uint32_t> with_both_sides(const BodyGroups& groups,
+                                           const std::vector<VolumeControl::Body>& now) {
+  std::vector<std::uint8_t> before(groups.count, 0), after(groups.count, 0);
+  for (const std::uint32_t g : groups.before) before[g] = 1;
+  for (const std::uint32_t g : groups.after) after[g] = 1;
+  const auto smaller = [](const VolumeControl::Body& a, const VolumeControl::Body& b) {
+    return a.volume < b.volume;
+  };
+  const auto largest = std::max_element(now.begin(), now.end(), smaller) - now.begin();
+  std::vector<std::uint32_t> joined(groups.count);
+  for (std::uint32_t g = 0; g < groups.count; ++g)
+    joined[g] = before[g] != 0 && after[g] != 0 ? g : groups.after[largest];
+  return joined;
+}
+
+/// Gives the bodies now the targets of those before. \pre there is a body now
+void hand_on(const std::vector<VolumeControl::Body>& before, const BodyGroups& groups,
+             std::vector<VolumeControl::Body>& now) {
+  const std::vector<std::uint32_t> joined = with_both_sides(groups, now);
   std::vector<Group> all(groups.count);
   for (std::size_t b = 0; b < before.size(); ++b) {
-    Group& group = all[groups.before[b]];
+    Group& group = all[joined[groups.before[b]]];
     group.known = true;
     group.target += before[b].target;
     group.integral += before[b].integral * before[b].target;
   }
   for (std::uint32_t b = 0; b < now.size(); ++b) {
-    Group& group = all[groups.after[b]];
+    Group& group = all[joined[groups.after[b]]];
     group.volume += now[b].volume;
     if (group.largest == kNone || now[b].volume > now[group.largest].volume) group.largest = b;
   }
-  double left_over = 0;
   std::vector<double> left;
-  for (const Group& group : all) {
-    left.push_back(group.target);
-    if (group.largest == kNone) left_over += group.target;
-  }
+  for (const Group& group : all) left.push_back(group.target);
   for (std::uint32_t b = 0; b < now.size(); ++b) {
-    const Group& group = all[groups.after[b]];
-    if (!group.known) continue;
+    const std::uint32_t g = joined[groups.after[b]];
+    const Group& group = all[g];
+    if (!group.known) continue;  // there was nothing at all before
     if (group.target > 0) now[b].integral = group.integral / group.target;
     if (b == group.largest) continue;
     now[b].target = group.volume > 0 ? group.target * (now[b].volume / group.volume) : 0;
-    left[groups.after[b]] -= now[b].target;
+    left[g] -= now[b].target;
   }
   for (std::size_t g = 0; g < groups.count; ++g)
     if (all[g].known && all[g].largest != kNone) now[all[g].largest].target = left[g];
-  return left_over;
 }
 
 }  // namespace
@@ -109,7 +122,7 @@ void VolumeControl::after_remodel(const Triangles& surface,
   std::vector<Body> bodies(parts.count);
   for (std::size_t b = 0; b < parts.count; ++b)
     bodies[b] = {now.volume[b], now.volume[b], now.area[b], 0};
-  vanished_ += hand_on(bodies_, groups, bodies);
+  if (!bodies.empty()) hand_on(bodies_, groups, bodies);
   bodies_ = std::move(bodies);
   parts_ = std::move(parts);
   before_ = {};

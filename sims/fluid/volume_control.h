@@ -38,9 +38,11 @@ class VolumeControl {
 
   void before_remodel(const Triangles& surface);
   /// Each group of bodies that hold the same liquid before and after (body_groups) keeps the sum of
-  /// its targets, to rounding, shared out by the volumes that they have now. What comes from
-  /// nothing should have the volume that it has. `move`: where a point of the surface before is
-  /// now, if all has moved since. \throw InvalidInput if no remodel has begun
+  /// its targets, to rounding, shared out by the volumes that they have now. What became of nothing
+  /// hands its target to the largest body's group, where it is felt least, and what comes from
+  /// nothing has its own from there: the sum over all stays, while there is a body. `move`: where a
+  /// point of the surface before is now, if all has moved since.
+  /// \throw InvalidInput if no remodel has begun
   void after_remodel(const Triangles& surface,
                      const std::function<Point(const Point&)>& move = nullptr);
 
@@ -54,8 +56,6 @@ class VolumeControl {
     double integral = 0;  ///< of the relative error, over time in relaxations
   };
   const std::vector<Body>& bodies() const { return bodies_; }
-  /// Targets of bodies of which nothing was left, together.
-  double vanished() const { return vanished_; }
   std::size_t memory() const;
 
  private:
@@ -66,7 +66,6 @@ class VolumeControl {
   std::vector<Body> bodies_;
   Triangles before_;  ///< while a remodel goes on
   bool remodelling_ = false;
-  double vanished_ = 0;
 };
 
 }  // namespace suture
