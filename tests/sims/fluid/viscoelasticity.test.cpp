@@ -218,12 +218,12 @@ TEST_CASE("strain beyond yield flows at its rate, and what is left stays") {
   const Strain before = at_once;
   for (int i = 0; i < 3; ++i) stretch(at_once, rests, blob.liquid, {}, o, 0.1);
   CHECK(elastic_energy(at_once, blob.liquid, {}, o) ==
-        Approx(elastic_energy(before, blob.liquid, {}, o)).epsilon(0.02));  // its surface settles
+        Approx(elastic_energy(before, blob.liquid, {}, o)).epsilon(0.05));  // its surface settles
 
   o.flow_rate = 2;
   for (int i = 0; i < 5; ++i) stretch(strain, rests, blob.liquid, {}, o, 0.1);
   const double left = o.yield_strain + 0.75 * size * std::exp(-1);
-  CHECK(largest_strain(strain) <= left * 1.03);
+  CHECK(largest_strain(strain) <= left * 1.05);
   CHECK(largest_strain(strain) > 0.9 * left);
 }
 
@@ -254,6 +254,36 @@ double lasting_twist(double yield_strain) {
 TEST_CASE("a twist beyond yield keeps its new shape, one within springs back") {
   CHECK(std::abs(lasting_twist(std::numeric_limits<double>::infinity())) < 0.05);
   CHECK(lasting_twist(0.02) > 0.5);
+}
+
+/// The twist that a steady force makes in a time of 1 against a yield stress of 0.2.
+double forced_twist(double modulus, int steps) {
+  const double k = 5.763459197 / kRadius;
+  const Blob blob(8, 1.0 / 6, ball);
+  const Shares shares = touched(blob.liquid);
+  ElasticOptions o = elastic(modulus);
+  o.yield_strain = 0.2 / modulus;
+  const MacVelocity mode =
+      blob.velocity([&](const Point& p) -> Point { return 20 * torsion(k)(p - kMiddle); });
+  Body body{blob, o, 1.0 / steps, false, blob.velocity(still)};
+  double twist = 0;
+  for (int i = 0; i < steps; ++i) {
+    for (int a = 0; a < 3; ++a)
+      for (Slot s = 0; s < blob.grid->size(); ++s) body.v.u[a][s] += body.dt * mode.u[a][s];
+    body.step();
+    twist += body.dt * part_of(body.v, mode, shares);
+  }
+  return twist;
+}
+
+TEST_CASE("what flows does so at the same pace at any modulus and step, resolved or not") {
+  // Without any stress it would be 0.5. Measured: 0.28 to 0.35.
+  const double resolved = forced_twist(10, 256);
+  CHECK(resolved == Approx(0.31).margin(0.02));
+  CHECK(forced_twist(10, 32) == Approx(resolved).epsilon(0.15));
+  CHECK(forced_twist(100, 16) == Approx(resolved).epsilon(0.15));
+  CHECK(forced_twist(1e4, 16) == Approx(resolved).epsilon(0.15));
+  CHECK(forced_twist(1e8, 16) == Approx(resolved).epsilon(0.15));
 }
 
 TEST_CASE("strain is forgotten in its relaxation time, and soon is viscosity") {
