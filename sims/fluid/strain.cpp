@@ -109,16 +109,48 @@ Point spin(const MacVelocity& u, const Point& p) {
          Point(slope(2, 1) - slope(1, 2), slope(0, 2) - slope(2, 0), slope(1, 0) - slope(0, 1));
 }
 
+/// A smooth vector field at the cells that a strain's places touch; on edges, the mean of these:
+/// what follows paths costs the most here, and they need not be followed from each place by itself.
+class CellField {
+ public:
+  template <class Value>
+  CellField(const Strain& strain, Value value)
+      : grid_(*strain.grid), values_(grid_.size()), made_(strain.known[0]) {
+    for (Slot s = 0; s < grid_.size(); ++s)
+      for (int a = 0; a < 3; ++a)
+        if (strain.known[1 + a][s] != 0)
+          for_each_cell_round(grid_, a, s, [&](Slot cell) { made_[cell] = 1; });
+    for (Slot s = 0; s < grid_.size(); ++s)
+      if (made_[s] != 0) values_[s] = value(position(grid_, 0, s));
+  }
+
+  Point at(int place, Slot s) const {
+    if (place == 0) return values_[s];
+    Point sum = Point::Zero();
+    int count = 0;
+    for_each_cell_round(grid_, place - 1, s, [&](Slot cell) {
+      sum += values_[cell];
+      ++count;
+    });
+    return sum / count;
+  }
+
+ private:
+  const SparseGrid& grid_;
+  std::vector<Point> values_;
+  std::vector<std::uint8_t> made_;
+};
+
 /// Each component changes by what the turn of the whole tensor there changes of it, so that what
 /// does not turn is left as it is.
 TensorField turned(const Strain& strain, const MacVelocity& u, double dt) {
   TensorField made = strain.elastic;
+  const CellField angles(strain, [&](const Point& p) -> Point { return dt * spin(u, p); });
   for (int place = 0; place < 4; ++place)
     for (Slot s = 0; s < strain.grid->size(); ++s) {
       if (strain.known[place][s] == 0) continue;
-      const Point p = position(*strain.grid, place, s);
       const Eigen::Matrix3d t = tensor_at(strain, place, s);
-      const Point angle = dt * spin(u, p);
+      const Point angle = angles.at(place, s);
       if (t.isZero(0) || angle.isZero(0)) continue;
       const Eigen::Matrix3d turn =
           Eigen::AngleAxisd(angle.norm(), angle.normalized()).toRotationMatrix();
@@ -131,22 +163,28 @@ TensorField turned(const Strain& strain, const MacVelocity& u, double dt) {
   return made;
 }
 
+/// From where the paths to a grid's places come in dt, before these.
+GridCorners start(const Strain& old, const Strain& now, const CellField& ways, int place, Slot s) {
+  return {*old.grid, within(place), position(*now.grid, place, s) + ways.at(place, s)};
+}
+
 /// MacCormack's second pass, as for the velocity.
-void correct(Strain& now, const Strain& old, const MacVelocity& u, double dt) {
+void correct(Strain& now, const Strain& old, const MacVelocity& u, const CellField& ways,
+             double dt) {
   const TensorField there = now.elastic;
+  const CellField ahead(now, [&](const Point& p) -> Point { return path_start(u, p, -dt) - p; });
   for (int place = 0; place < 4; ++place)
     for (Slot s = 0; s < now.grid->size(); ++s) {
       if (now.known[place][s] == 0) continue;
       const Slot before = old.grid->find(now.grid->cell(s));
       if (before == kNoSlot || old.known[place][before] == 0) continue;
-      const Point p = position(*now.grid, place, s);
-      const GridCorners start(*old.grid, within(place), path_start(u, p, dt));
-      const GridCorners end(*now.grid, within(place), path_start(u, p, -dt));
+      const GridCorners from = start(old, now, ways, place, s);
+      const GridCorners to = start(now, now, ahead, place, s);
       for_each_component(place, [&](int c) {
-        const auto bounds = start.bounds(old.elastic.part(c), old.known[place]);
+        const auto bounds = from.bounds(old.elastic.part(c), old.known[place]);
         if (!bounds.any) return;
         const double was = old.elastic.part(c)[before];
-        const double back = end.value(there.part(c), now.known[place], was);
+        const double back = to.value(there.part(c), now.known[place], was);
         now.elastic.part(c)[s] =
             std::clamp(there.part(c)[s] + 0.5 * (was - back), bounds.low, bounds.high);
       });
@@ -175,17 +213,18 @@ Strain carried(const Strain& old, const MacVelocity& u, const SparseGrid& new_gr
   const Shares shares = liquid_shares(liquid);
   for (int place = 0; place < 4; ++place) {
     const std::vector<float>& share = place == 0 ? shares.cell : shares.edge[place - 1];
+    for (Slot s = 0; s < new_grid.size(); ++s) now.known[place][s] = share[s] > 0;
+  }
+  const CellField ways(now, [&](const Point& p) -> Point { return path_start(u, p, dt) - p; });
+  for (int place = 0; place < 4; ++place)
     for (Slot s = 0; s < new_grid.size(); ++s) {
-      if (share[s] == 0) continue;
-      now.known[place][s] = 1;
-      const Point p = position(new_grid, place, s);
-      const GridCorners start(*old.grid, within(place), path_start(u, p, dt));
+      if (now.known[place][s] == 0) continue;
+      const GridCorners from = start(turned_old, now, ways, place, s);
       for_each_component(place, [&](int c) {
-        now.elastic.part(c)[s] = start.value(turned_old.elastic.part(c), old.known[place], 0);
+        now.elastic.part(c)[s] = from.value(turned_old.elastic.part(c), old.known[place], 0);
       });
     }
-  }
-  correct(now, turned_old, u, dt);
+  correct(now, turned_old, u, ways, dt);
   return now;
 }
 

@@ -39,6 +39,17 @@ void for_each_edge(const SparseGrid& grid, int axis, Slot s, Visit visit) {
   }
 }
 
+/// Calls visit(slot) with the cells round the edge along `axis` from the low corner of cell s.
+template <class Visit>
+void for_each_cell_round(const SparseGrid& grid, int axis, Slot s, Visit visit) {
+  const Slot below = grid.neighbour(s, next_axis(axis), -1);
+  for (const Slot high : {s, below}) {
+    if (high == kNoSlot) continue;
+    visit(high);
+    if (const Slot low = grid.neighbour(high, prev_axis(axis), -1); low != kNoSlot) visit(low);
+  }
+}
+
 /// One number as a sum over faces of coefficient·velocity.
 struct RateStencil {
   int faces = 0;  ///< 0: there is no stress here

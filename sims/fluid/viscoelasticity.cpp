@@ -36,9 +36,9 @@ struct Memory {
                  : dt) {}
 };
 
-/// Of a step in which liquid flows: the first solve takes its stress for elastic, each further one
-/// for what would be left of the one before after flow.
-constexpr int kFlowSolves = 3;
+/// Of a step in which liquid flows. Each solve takes the stress that flow leaves of what velocity
+/// strains: that before the step for the first one, and that of the one before for the others.
+constexpr int kFlowSolves = 2;
 
 /// A shear's stencil makes twice its component.
 double twice(int component) { return component < 3 ? 1 : 2; }
@@ -67,38 +67,72 @@ double deviatoric_size(const TensorField& t, const Strain& where, Slot s) {
   return std::sqrt(sum);
 }
 
-/// What flow leaves of each component: of a shear, the least of what the cells round it say, so
-/// that none of them stays beyond its yield. Without arrays where nothing flows.
-TensorField flow_factors(const TensorField& t, const Strain& where, const ElasticOptions& o,
-                         double dt) {
+std::vector<double> deviatoric_sizes(const TensorField& t, const Strain& where) {
+  std::vector<double> sizes(where.grid->size(), 0);
+  for (Slot s = 0; s < sizes.size(); ++s)
+    if (where.known[0][s] != 0) sizes[s] = deviatoric_size(t, where, s);
+  return sizes;
+}
+
+/// Factors of all components from those of cells: a shear's is the mean, or the least, of those of
+/// the cells round it.
+TensorField spread(const std::vector<double>& of_cells, const Strain& where, bool least) {
   TensorField factors;
-  if (!std::isfinite(o.yield_strain)) return factors;
-  for (Slot s = 0; s < where.grid->size(); ++s) {
-    if (where.known[0][s] == 0) continue;
-    const double left = flowed(deviatoric_size(t, where, s), o, dt);
-    if (left == 1) continue;
-    if (!factors.any()) factors.fill(where.grid->size(), 1);
+  factors.fill(of_cells.size(), 1);
+  for (Slot s = 0; s < of_cells.size(); ++s)
     for (int a = 0; a < 3; ++a) {
-      factors.stretch[a][s] = left;
-      for_each_edge(*where.grid, a, s, [&](Slot edge) {
-        factors.shear[a][edge] = std::min(factors.shear[a][edge], left);
+      factors.stretch[a][s] = of_cells[s];
+      if (where.known[1 + a][s] == 0) continue;
+      double sum = 0, smallest = 1;
+      int count = 0;
+      for_each_cell_round(*where.grid, a, s, [&](Slot cell) {
+        if (where.known[0][cell] == 0) return;
+        sum += of_cells[cell];
+        smallest = std::min(smallest, of_cells[cell]);
+        ++count;
       });
+      if (count != 0) factors.shear[a][s] = least ? smallest : sum / count;
     }
-  }
   return factors;
 }
 
-/// Of the strain: the deviatoric part times the factors.
-void flow(Strain& strain, const TensorField& factors) {
-  if (!factors.any()) return;
-  for (Slot s = 0; s < strain.grid->size(); ++s) {
-    auto& t = strain.elastic;
+/// What flow leaves of each component in dt. Without arrays where nothing flows.
+TensorField flow_factors(const TensorField& t, const Strain& where, const ElasticOptions& o,
+                         double dt) {
+  if (!std::isfinite(o.yield_strain)) return {};
+  std::vector<double> left = deviatoric_sizes(t, where);
+  bool any = false;
+  for (double& x : left) {
+    x = flowed(x, o, dt);
+    any = any || x != 1;
+  }
+  return any ? spread(left, where, false) : TensorField();
+}
+
+/// Multiplies the deviatoric part by the factors.
+void scale(TensorField& t, const TensorField& factors) {
+  for (Slot s = 0; s < t.stretch[0].size(); ++s) {
     const double mean = (t.stretch[0][s] + t.stretch[1][s] + t.stretch[2][s]) / 3;
     for (int a = 0; a < 3; ++a) {
       t.stretch[a][s] = mean + factors.stretch[a][s] * (t.stretch[a][s] - mean);
       t.shear[a][s] *= factors.shear[a][s];
     }
   }
+}
+
+/// Means leave the shears of strains that change from cell to cell too large for some of these;
+/// what is still too much there goes by the least factor. By that alone, all would flow too easily.
+void flow(Strain& strain, const ElasticOptions& o, double dt) {
+  const TensorField factors = flow_factors(strain.elastic, strain, o, dt);
+  if (!factors.any()) return;
+  const std::vector<double> before = deviatoric_sizes(strain.elastic, strain);
+  scale(strain.elastic, factors);
+  std::vector<double> rest = deviatoric_sizes(strain.elastic, strain);
+  for (Slot s = 0; s < rest.size(); ++s) {
+    const double wanted = before[s] * flowed(before[s], o, dt);
+    rest[s] = rest[s] > wanted ? wanted / rest[s] : 1;
+  }
+  scale(strain.elastic, spread(rest, strain, true));
 }
 
 /// How a step weighs the strain rate at its end, and takes off that at its begin, whereby its
@@ -114,22 +148,23 @@ struct Weights {
   }
 };
 
-/// One step of the stress, without flow.
+/// One step of the stress.
 class Push {
  public:
   Push(const MacVelocity& before, const Strain& strain, const Liquid& liquid,
        const StrainRate& rate, const ElasticOptions& o, double dt)
-      : strain_(strain), liquid_(liquid), rate_(rate), memory_(o, dt) {
+      : liquid_(liquid), rate_(rate) {
     const double h = rate.grid().h();
-    const double squared = o.modulus / o.density / h * (dt / h) * memory_.time;
-    const Weights weights(std::sqrt(squared), memory_.kept);
+    const Memory memory(o, dt);
+    const double squared = o.modulus / o.density / h * (dt / h) * memory.time;
+    const Weights weights(std::sqrt(squared), memory.kept);
     stiffness_ = std::min(squared * weights.end, kStiffest);
+    per_rate_ = memory.time * weights.end / h;
     offset_.fill(rate.grid().size(), 0);
     rate.for_each([&](const RateStencil& r, int c, Slot s) {
       const double begin = rate.value(r, before) / twice(c);
       offset_.part(c)[s] =
-          (h * memory_.kept / memory_.time * strain.elastic.part(c)[s] - weights.begin * begin) /
-          weights.end;
+          memory.kept / per_rate_ * strain.elastic.part(c)[s] - weights.begin / weights.end * begin;
     });
   }
 
@@ -141,23 +176,19 @@ class Push {
     return report;
   }
 
-  /// What the strain would be after this velocity.
-  TensorField strain_after(const MacVelocity& velocity) const {
-    TensorField t;
-    t.fill(rate_.grid().size(), 0);
+  /// The strain whose stress acts in the step that ends with this velocity, if nothing flows.
+  TensorField strain(const MacVelocity& velocity) const {
+    TensorField t = offset_;
     rate_.for_each([&](const RateStencil& r, int c, Slot s) {
-      t.part(c)[s] = memory_.kept * strain_.elastic.part(c)[s] +
-                     memory_.time / rate_.grid().h() * rate_.value(r, velocity) / twice(c);
+      t.part(c)[s] = per_rate_ * (t.part(c)[s] + rate_.value(r, velocity) / twice(c));
     });
     return t;
   }
 
  private:
-  const Strain& strain_;
   const Liquid& liquid_;
   const StrainRate& rate_;
-  Memory memory_;
-  double stiffness_;
+  double stiffness_, per_rate_;
   TensorField offset_;
 };
 
@@ -186,12 +217,14 @@ DiffusionReport push(MacVelocity& velocity, const Strain& strain, const Liquid& 
   const StrainRate rate(shares, solids, options.no_slip);
   const Push push(velocity, strain, liquid, rate, options, dt);
   const MacVelocity before = velocity;
-  DiffusionReport report = push.act(velocity, {}, solver);
   Strain where(*strain.grid);
   mark_known(where, rate);
-  for (int n = 1; n < kFlowSolves; ++n) {
-    const TensorField factors = flow_factors(push.strain_after(velocity), where, options, dt);
-    if (!factors.any()) break;
+  DiffusionReport report;
+  bool flowed_before = true;
+  for (int n = 0; n < kFlowSolves; ++n) {
+    const TensorField factors = flow_factors(push.strain(velocity), where, options, dt);
+    if (!factors.any() && !flowed_before) break;
+    flowed_before = factors.any();
     velocity = before;
     const DiffusionReport again = push.act(velocity, factors, solver);
     report.iterations += again.iterations;
@@ -226,7 +259,7 @@ void stretch(Strain& strain, const MacVelocity& velocity, const Liquid& liquid,
         memory.time / h * (so_far.part(c)[s] + rate.value(r, filled) / twice(c));
   });
   mark_known(strain, rate);
-  flow(strain, flow_factors(strain.elastic, strain, options, dt));
+  flow(strain, options, dt);
 }
 
 double elastic_energy(const Strain& strain, const Liquid& liquid, const SolidFaces& solids,
