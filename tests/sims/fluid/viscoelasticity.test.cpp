@@ -311,6 +311,14 @@ TEST_CASE("strain is forgotten in its relaxation time, and soon is viscosity") {
   CHECK(1 - part_of(slowed, mode, shares) == Approx(lost).epsilon(0.05));
 }
 
+TEST_CASE("a film on a wall that holds no cell's centre is left alone") {
+  Blob blob(8, 1.0 / 6, [](const Point& p) { return std::max(p[2] - 0.05, p.norm() - 0.9); });
+  blob.add_solids([](const Point& p) { return p[2]; }, still);
+  Body body{blob, elastic(100), 0.1, true, blob.velocity(stirred)};
+  for (int i = 0; i < 3; ++i) body.step();
+  CHECK(std::isfinite(body.energy()));
+}
+
 TEST_CASE("no modulus has no arrays and does nothing") {
   const Blob blob(8, 1.0 / 6, ball);
   const MacVelocity before = blob.velocity(stirred);
