@@ -131,7 +131,7 @@ TEST_CASE("a twisted elastic ball swings at the exact frequency, to second order
 
 TEST_CASE("an elastic ball stretched and released swings at the frequency of its modulus") {
   // The lowest spheroidal mode of an incompressible ball has k·R = 0.848π [Lamb 1882]. Measured
-  // here 1.6 % below; with steps of half the time in which a wave crosses a cell.
+  // here 1.4 % below; with steps of half the time in which a wave crosses a cell.
   const int n = 8;
   const Blob blob(n + 3, 1.0 / n, ball);
   const ElasticOptions o = elastic(3, 2);
