@@ -57,7 +57,10 @@ RigidPart::RigidPart(const ViscousSystem& system) : system_(&system) {
     bodies_[body_of_[i]].centre += system.mass[i] * place(i);
     bodies_[body_of_[i]].mass += system.mass[i];
   }
-  for (Body& b : bodies_) b.centre /= b.mass;
+  for (Body& b : bodies_) {  // one without mass has no motion of its own, and may be anywhere
+    b.centre = b.mass > 0 ? Point(b.centre / b.mass) : Point(Point::Zero());
+    b.size = grid.h();
+  }
   for (std::uint32_t i = 0; i < body_of_.size(); ++i) {
     Body& b = bodies_[body_of_[i]];
     b.size = std::max(b.size, (place(i) - b.centre).norm());

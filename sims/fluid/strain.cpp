@@ -36,6 +36,18 @@ std::pair<int, int> entry(int component) {
   return {next_axis(component - 3), prev_axis(component - 3)};
 }
 
+/// Four cells in a row along an axis, of which s is the one with number `own`.
+std::array<Slot, 4> row(const SparseGrid& grid, Slot s, int axis, int own) {
+  std::array<Slot, 4> cells;
+  cells.fill(kNoSlot);
+  cells[own] = s;
+  for (int n = own; n > 0 && cells[n] != kNoSlot; --n)
+    cells[n - 1] = grid.neighbour(cells[n], axis, -1);
+  for (int n = own; n < 3 && cells[n] != kNoSlot; ++n)
+    cells[n + 1] = grid.neighbour(cells[n], axis, 1);
+  return cells;
+}
+
 /// The places of one kind round one of another, which are half a cell off along two axes: of four
 /// rows and columns of four, where all 16 are known, else of the middle four those that are.
 struct PlacesRound {
@@ -47,15 +59,17 @@ struct PlacesRound {
     int first = 0, second = 2;
     while (own[first] == other[first]) ++first;
     while (own[second] == other[second]) --second;
-    const Index3 c = strain.grid->cell(s);
     bool all = true;
-    for (int n = 0; n < 16; ++n) {
-      Index3 at = c;
-      at[first] += n / 4 - (own[first] > 0 ? 1 : 2);
-      at[second] += n % 4 - (own[second] > 0 ? 1 : 2);
-      slots[n] = strain.grid->find(at);
-      if (slots[n] != kNoSlot && strain.known[to][slots[n]] == 0) slots[n] = kNoSlot;
-      all = all && slots[n] != kNoSlot;
+    const auto rows = row(*strain.grid, s, first, own[first] > 0 ? 1 : 2);
+    for (int i = 0; i < 4; ++i) {
+      std::array<Slot, 4> cells;
+      cells.fill(kNoSlot);
+      if (rows[i] != kNoSlot) cells = row(*strain.grid, rows[i], second, own[second] > 0 ? 1 : 2);
+      for (int j = 0; j < 4; ++j) {
+        const bool known = cells[j] != kNoSlot && strain.known[to][cells[j]] != 0;
+        slots[4 * i + j] = known ? cells[j] : kNoSlot;
+        all = all && known;
+      }
     }
     constexpr std::array<double, 4> cubic{-1.0 / 16, 9.0 / 16, 9.0 / 16, -1.0 / 16};
     double sum = 0;

@@ -15,10 +15,6 @@ struct Strain {
   Strain() = default;
   explicit Strain(const SparseGrid& g);  ///< none known
   bool any() const { return elastic.any(); }
-  /// Component 0 to 5, as TensorField::part's.
-  const std::vector<std::uint8_t>& known_of(int component) const {
-    return known[component < 3 ? 0 : component - 2];
-  }
   std::size_t memory() const;
 };
 

@@ -47,8 +47,19 @@ RateStencil StrainRate::stretch(int axis, Slot s) const {
     }
     way = std::clamp(way, kNearestWall, 1.0);
   }
-  r = {2, {axis, axis}, {s, next}, {-1 / way, 1 / way}, weight * way};
-  return r;
+  r = {2, {axis, axis}, {s, next}, {-1 / way, 1 / way}, weight};
+  r.weight = way * wetted(r);
+  return r.weight > 0 ? r : RateStencil{};
+}
+
+/// The weight, but no more than there is liquid at the faces that are held: what has come within a
+/// cell of a wall and not to it yet would stick to it already.
+double StrainRate::wetted(const RateStencil& r) const {
+  double weight = r.weight;
+  for (int n = 0; n < r.faces; ++n)
+    if (held(r.axis[n], r.slot[n]))
+      weight = std::min<double>(weight, shares_->face[r.axis[n]][r.slot[n]]);
+  return weight;
 }
 
 /// In cells, from the wall to the middle of that of two neighbouring faces which is not held; 1
@@ -63,26 +74,25 @@ RateStencil StrainRate::shear(int axis, Slot s) const {
   RateStencil r;
   const int b = next_axis(axis), c = prev_axis(axis);
   const Slot below_b = grid().neighbour(s, b, -1), below_c = grid().neighbour(s, c, -1);
-  double weight = shares_->edge[axis][s];
-  if (weight == 0 || below_b == kNoSlot || below_c == kNoSlot) return r;
+  r.weight = shares_->edge[axis][s];
+  if (r.weight == 0 || below_b == kNoSlot || below_c == kNoSlot) return RateStencil{};
+  r.faces = 4;
   r.axis = {b, b, c, c};
   r.slot = {s, below_c, s, below_b};
   r.coefficient = {1, -1, 1, -1};
   if (solids_->any() && no_slip_) {
     const double way_b = way_from_wall(b, s, below_c), way_c = way_from_wall(c, s, below_b);
     r.coefficient = {1 / way_b, -1 / way_b, 1 / way_c, -1 / way_c};
-    weight *= std::min(way_b, way_c);
+    r.weight = std::min(way_b, way_c) * wetted(r);
   } else if (solids_->any()) {
     double open = 0;
     for (int n = 0; n < 4; ++n) {
       if (held(r.axis[n], r.slot[n])) return RateStencil{};
       open += solids_->open[r.axis[n]][r.slot[n]];
     }
-    weight *= open / 4;
+    r.weight *= open / 4;
   }
-  r.weight = weight;
-  r.faces = 4;
-  return r;
+  return r.weight > 0 ? r : RateStencil{};
 }
 
 }  // namespace suture

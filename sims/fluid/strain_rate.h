@@ -100,6 +100,7 @@ class StrainRate {
 
  private:
   double way_from_wall(int axis, Slot one, Slot other) const;
+  double wetted(const RateStencil& r) const;
 
   const Shares* shares_;
   const SolidFaces* solids_;

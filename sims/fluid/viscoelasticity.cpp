@@ -234,7 +234,8 @@ DiffusionReport push(MacVelocity& velocity, const Strain& strain, const Liquid& 
   for (int a = 0; a < 3; ++a)  // what relaxes all stress within a step is no velocity to go on with
     for (Slot s = 0; s < liquid.grid->size(); ++s)
       if (!rate.held(a, s) && !touches(liquid, a, s)) velocity.u[a][s] = before.u[a][s];
-  report.memory += shares.memory();
+  report.memory += shares.memory() + where.memory() +
+                   3 * before.u[0].size() * (sizeof(double) + sizeof(std::uint8_t));
   return report;
 }
 

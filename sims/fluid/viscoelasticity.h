@@ -32,7 +32,8 @@ Strain unstrained(const SparseGrid& grid, const ElasticOptions& options);
 /// Adds what elastic stress does to the velocity in dt [Goktekin et al. 2004], before the
 /// projection. Implicit: the stress is that of the strain at the step's end, which is a viscosity
 /// modulus·dt and the stress of the strain so far; within largest_step, that of the strain half a
-/// step on, as good as without damping. \pre, \throw and accuracy as diffuse
+/// step on, as good as without damping. Faces that touch no liquid cell are left: no projection
+/// gives them a velocity, so that they follow without mass. \pre, \throw, accuracy as diffuse
 DiffusionReport push(MacVelocity& velocity, const Strain& strain, const Liquid& liquid,
                      const SolidFaces& solids, const ElasticOptions& options, double dt,
                      const SolverOptions& solver = {});

@@ -190,6 +190,24 @@ TEST_CASE("liquid slips along a wall where it may, and not where it may not") {
   CHECK(moments(stops, shares).energy < 0.05 * moments(before, shares).energy);
 }
 
+TEST_CASE("liquid that has not come to a wall does not stick to it, one that has does") {
+  for (const double gap : {0.0, 0.8}) {  // cells
+    const double h = 0.1;
+    Blob blob(8, h, [&](const Point& p) { return std::max(gap * h - p[2], p.norm() - 0.5); });
+    blob.add_solids([](const Point& p) { return p[2] < 0 ? p[2] : 1; }, still);
+    for (Slot s = 0; s < blob.grid->size(); ++s) {  // as Liquid continues it into solids
+      const Point p = blob.grid->centre(blob.grid->cell(s));
+      if (p[2] < 0 && gap == 0) blob.liquid.distance[s] = p.head(2).norm() - 0.5;
+    }
+    MacVelocity v = blob.velocity([](const Point&) { return Point(0, 0, 1); });
+    const Shares shares = liquid_shares(blob.liquid);
+    const Moments before = moments(v, shares, blob.solids);
+    diffuse(v, blob.liquid, blob.solids, {1e6, 1, true}, 1);
+    const double left = moments(v, shares, blob.solids).momentum[2] / before.momentum[2];
+    CHECK(left == Approx(gap == 0 ? 0 : 1).margin(1e-3));
+  }
+}
+
 TEST_CASE("viscosity is the same in any unit") {
   const MacVelocity* last = nullptr;
   std::vector<MacVelocity> results;
