@@ -50,16 +50,20 @@ Point CapsuleUnion::onto_surface(Point p) const {
   return p;
 }
 
-Triangles skin(const CapsuleUnion& capsules, const Box& box, double edge_length) {
-  constexpr double kLeastCosine = 0.3;  // between a triangle and the surface's normal
+Triangles skin(const CapsuleUnion& capsules, const SkinOptions& options) {
+  constexpr double kCellsPerEdge = 1.9;  // measured: gives edges of edge_length on average
+  constexpr double kLeastCosine = 0.3;   // between a triangle and the surface's normal
+  const double cell = kCellsPerEdge * (options.edge_length / options.length);
+  const Point margin = Point::Constant(0.06 + 2 * cell);
   Triangles surface = isosurface([&](const Point& q) { return capsules.at(q).value; },
-                                 {box.low, box.high}, kSkinCellsPerEdge * edge_length);
+                                 {options.box.low - margin, options.box.high + margin}, cell);
   relax(surface.positions, surface.triangles,
         {2, 15, [&](const Point& q) { return capsules.onto_surface(q); },
          [&](const Point& a, const Point& b, const Point& c) {
            const Point normal = (b - a).cross(c - a), up = capsules.at((a + b + c) / 3).gradient;
            return normal.dot(up) > kLeastCosine * normal.norm() * up.norm();
          }});
+  for (Point& q : surface.positions) q = options.centre + options.length * q;
   return surface;
 }
 

@@ -35,10 +35,15 @@ class CapsuleUnion {
   double round_;
 };
 
-/// Its surface, closed and oriented, with edges of about edge_length, relaxed.
-/// \pre the surface is inside of `box` by two cells of 1.9 edge lengths
-Triangles skin(const CapsuleUnion& capsules, const Box& box, double edge_length);
+/// Where a union's surface is, and how large it is made.
+struct SkinOptions {
+  Box box;  ///< holds the surface, but for 0.06; in the union's own unit
+  Point centre = Point::Zero();
+  double length = 1;       ///< of the union's unit
+  double edge_length = 0;  ///< as centre and length in the scene's unit
+};
 
-inline constexpr double kSkinCellsPerEdge = 1.9;  ///< measured: edges of edge_length on average
+/// Its surface, closed and oriented, with edges of about edge_length, relaxed.
+Triangles skin(const CapsuleUnion& capsules, const SkinOptions& options);
 
 }  // namespace suture

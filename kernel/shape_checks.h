@@ -31,4 +31,20 @@ inline void require_resolution(const std::string& shape, double area, double edg
                        " triangles; choose a longer one");
 }
 
+/// A shape's thinnest parts.
+struct ThinParts {
+  const char* name;
+  double radius = 0;
+  double share = 1;  ///< of the radius: the longest edges that still make them out
+};
+/// \throw InvalidInput where edges are longer
+inline void require_thin_edges(const std::string& shape, double edge_length,
+                               const ThinParts& parts) {
+  const double longest = parts.share * parts.radius;
+  if (edge_length > longest)
+    throw InvalidInput(shape + ": edge_length " + std::to_string(edge_length) +
+                       " is too long for its " + parts.name + "; choose at most " +
+                       number(parts.share) + " of their radius, " + std::to_string(longest));
+}
+
 }  // namespace suture

@@ -36,19 +36,11 @@ Triangles animal(const AnimalParameters& p) {
   require_positive("animal: length", p.length);
   require_range("animal: leg_radius", p.leg_radius, 0.02, 0.06, "0.02 to 0.06 of its length");
   require_resolution("animal", 3 * p.length * p.length, p.edge_length);
-  const double longest = 0.6 * p.leg_radius * p.length;
-  if (p.edge_length > longest)
-    throw InvalidInput("animal: edge_length " + std::to_string(p.edge_length) +
-                       " is too long for its legs; choose at most 0.6 of their radius, " +
-                       std::to_string(longest));
+  require_thin_edges("animal", p.edge_length, {"legs", p.leg_radius * p.length, 0.6});
   constexpr double kRound = 0.05;  // lengths; how far limbs flow into each other
-  const double edge = p.edge_length / p.length;
-  const Point margin = Point::Constant(0.06 + 2 * kSkinCellsPerEdge * edge);
-  Triangles surface =
-      skin(CapsuleUnion(limbs(p.leg_radius), kRound),
-           {Point(-0.8, -0.05, -0.25) - margin, Point(1.0, 1.3, 0.25) + margin}, edge);
-  for (Point& q : surface.positions) q = p.centre + p.length * q;
-  return surface;
+  const Box box{Point(-0.8, -0.05, -0.25), Point(1.0, 1.3, 0.25)};
+  return skin(CapsuleUnion(limbs(p.leg_radius), kRound),
+              {box, p.centre, p.length, p.edge_length});
 }
 
 }  // namespace suture

@@ -40,18 +40,10 @@ Triangles hand(const HandParameters& p) {
   require_positive("hand: length", p.length);
   require_range("hand: finger_radius", p.finger_radius, 0.025, 0.05, "0.025 to 0.05 of its length");
   require_resolution("hand", 1.2 * p.length * p.length, p.edge_length);
-  const double longest = 0.45 * p.finger_radius * p.length;
-  if (p.edge_length > longest)
-    throw InvalidInput("hand: edge_length " + std::to_string(p.edge_length) +
-                       " is too long for its fingers; choose at most 0.45 of their radius, " +
-                       std::to_string(longest));
-  const double edge = p.edge_length / p.length;
-  const Point margin = Point::Constant(0.06 + 2 * kSkinCellsPerEdge * edge);
-  Triangles surface =
-      skin(CapsuleUnion(bones(p.finger_radius), kRound),
-           {Point(-0.42, -0.3, -0.16) - margin, Point(1.04, 0.44, 0.13) + margin}, edge);
-  for (Point& q : surface.positions) q = p.centre + p.length * q;
-  return surface;
+  require_thin_edges("hand", p.edge_length, {"fingers", p.finger_radius * p.length, 0.45});
+  const Box box{Point(-0.42, -0.3, -0.16), Point(1.04, 0.44, 0.13)};
+  return skin(CapsuleUnion(bones(p.finger_radius), kRound),
+              {box, p.centre, p.length, p.edge_length});
 }
 
 }  // namespace suture
