@@ -87,7 +87,7 @@ struct Fluid::State {
   bool started() const { return grid != nullptr; }
   double fall(double dt) const { return options.gravity.lpNorm<Eigen::Infinity>() * dt; }
   int band(double dt) const;
-  void carry(SurfaceTracker& surface, double carried_for, double dt);
+  void carry(SurfaceTracker& surface, double dt);
   void make_incompressible(const StepState& step);
   void bring_forward(SurfaceTracker& surface, double dt);
   void move(SurfaceTracker& surface, double dt);
@@ -101,7 +101,8 @@ int Fluid::State::band(double dt) const {
 }
 
 /// A grid round the surface as it is now, with the velocity that the liquid brings along.
-void Fluid::State::carry(SurfaceTracker& surface, double carried_for, double dt) {
+void Fluid::State::carry(SurfaceTracker& surface, double dt) {
+  const double by = 0.5 * (last_dt + dt);
   const auto distance = [&](const Point& p) { return surface.distance(p); };
   std::unique_ptr<SparseGrid> old;
   costs.timed("grid", [&] {
@@ -112,10 +113,9 @@ void Fluid::State::carry(SurfaceTracker& surface, double carried_for, double dt)
     last.drops = cells.drop_count;
     old = std::exchange(grid, std::move(next));
   });
-  if (old) effects->carry(velocity, liquid, carried_for);
+  if (old) effects->carry(velocity, liquid, last_dt);
   costs.timed("advection", [&] {
-    velocity =
-        old ? carried(velocity, liquid, carried_for, options.advection) : sampled(initial, liquid);
+    velocity = old ? carried(velocity, liquid, by, options.advection) : sampled(initial, liquid);
   });
   costs.holds("grid", liquid.memory());
   costs.holds("advection", 2 * memory(velocity));
@@ -172,16 +172,17 @@ int Fluid::steps_in(double left) const {
 /// The velocity to the middle of the next dt.
 void Fluid::State::bring_forward(SurfaceTracker& surface, double dt) {
   const double by = 0.5 * (last_dt + dt), then = time + 0.5 * dt;
-  carry(surface, started() ? by : 0, dt);
+  carry(surface, dt);
   add_force(velocity, options.gravity * by);
   if (solids.any()) {
     costs.timed("solids", [&] { faces = faces_of(solids, *grid, then); });
     costs.holds("solids", faces.memory());
   }
-  const StepState step{velocity, liquid, faces, solids, surface.surface(), time, by};
+  StepState step{velocity, liquid, faces, solids, surface.surface(), time, by};
   effects->stress(step);
   make_incompressible(step);
   costs.timed("extrapolation", [&] { extrapolate(velocity, band(dt)); });
+  step.dt = dt;
   effects->flowed(step);
   if (solids.any()) costs.timed("solids", [&] { constrain(velocity, faces, solids, then); });
   require_finite(velocity);

@@ -82,7 +82,7 @@ void read_effects(TomlTable& fluid, FluidOptions& o) {
     e.yield_strain = keys.number("yield_strain", Range::above(0), e.yield_strain);
     e.flow_rate = keys.number("flow_rate", Range::at_least(0), e.flow_rate);
     e.relaxation_time = keys.number("relaxation_time", Range::above(0), e.relaxation_time);
-    e.no_slip = keys.flag("no_slip", e.no_slip);
+    e.no_slip = keys.flag("no_slip", o.no_slip);  // viscosity's, unless it has its own
     o.viscoelasticity = e;
   });
   read_effect(fluid, "surface_tension",
