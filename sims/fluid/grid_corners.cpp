@@ -8,7 +8,7 @@ namespace suture {
 
 GridCorners::GridCorners(const SparseGrid& grid, const std::array<double, 3>& within,
                          const Point& p) {
-  constexpr double far = 1 << 29;
+  constexpr double far = SparseGrid::kFurthest;
   Index3 low;
   for (int a = 0; a < 3; ++a) {
     const double x = std::clamp((p[a] - grid.origin()[a]) / grid.h() - within[a], -far, far);
@@ -20,10 +20,7 @@ GridCorners::GridCorners(const SparseGrid& grid, const std::array<double, 3>& wi
   const Slot first = grid.find(low);
   const int side = SparseGrid::kSide;
   Index3 in{};
-  if (first != kNoSlot) {
-    const auto rest = static_cast<int>(first % SparseGrid::kCells);
-    in = {rest / 64, rest / 8 % 8, rest % 8};
-  }
+  if (first != kNoSlot) in = SparseGrid::in_block(first);
   const bool one_block =
       first != kNoSlot && in[0] < side - 1 && in[1] < side - 1 && in[2] < side - 1;
   for (int n = 0; n < 8; ++n) {
@@ -39,8 +36,7 @@ double GridCorners::value(const std::vector<double>& values, const std::vector<s
   for (int n = 0; n < 8; ++n) {
     const Slot s = slots[n];
     if (s == kNoSlot || known[s] == 0) continue;
-    double w = 1;
-    for (int a = 0; a < 3; ++a) w *= (n >> (2 - a) & 1) != 0 ? between[a] : 1 - between[a];
+    const double w = weight(n);
     sum += w * values[s];
     weights += w;
   }

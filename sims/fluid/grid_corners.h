@@ -16,6 +16,13 @@ struct GridCorners {
 
   GridCorners(const SparseGrid& grid, const std::array<double, 3>& within, const Point& p);
 
+  /// Of slots[n] in a trilinear mean.
+  double weight(int n) const {
+    double w = 1;
+    for (int a = 0; a < 3; ++a) w *= (n >> (2 - a) & 1) != 0 ? between[a] : 1 - between[a];
+    return w;
+  }
+
   /// Trilinear from the known ones; where some are not, from the others alone, and where none is,
   /// `fallback`.
   double value(const std::vector<double>& values, const std::vector<std::uint8_t>& known,

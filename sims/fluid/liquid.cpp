@@ -3,8 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
+#include "kernel/measures.h"
 #include "sims/fluid/surface_cells.h"
 
 namespace suture {
@@ -46,26 +46,6 @@ void fill_between(LiquidCells& cells) {
   std::sort(cells.deep.begin(), cells.deep.end(), before);
 }
 
-/// The bodies of a surface: parts that share no vertex.
-class Bodies {
- public:
-  explicit Bodies(const Triangles& surface) : parent_(surface.positions.size()) {
-    std::iota(parent_.begin(), parent_.end(), 0U);
-    for (const Triangle& t : surface.triangles) {
-      parent_[of(t[1])] = of(t[0]);
-      parent_[of(t[2])] = of(t[0]);
-    }
-  }
-  /// A vertex that stands for the body.
-  std::uint32_t of(std::uint32_t v) {
-    while (parent_[v] != v) v = parent_[v] = parent_[parent_[v]];
-    return v;
-  }
-
- private:
-  std::vector<std::uint32_t> parent_;
-};
-
 template <class Visit>
 void visit_cells(const CellRange& range, Visit visit) {
   for (int x = range.low[0]; x <= range.high[0]; ++x)
@@ -75,23 +55,22 @@ void visit_cells(const CellRange& range, Visit visit) {
 
 /// Bodies of which no triangle has a cell inside next to it hold no cell's centre.
 void find_drops(const Triangles& surface, LiquidCells& cells) {
-  Bodies bodies(surface);
-  std::vector<std::uint8_t> holds(surface.positions.size(), 0);
-  for (const Triangle& triangle : surface.triangles) {
-    std::uint8_t& held = holds[bodies.of(triangle[0])];
+  const Components bodies = components(surface);
+  std::vector<std::uint8_t> holds(bodies.count, 0);
+  const auto round = [&](std::size_t t, double wider) {
+    return cells_round(in_cells(surface, surface.triangles[t], cells.grid), wider);
+  };
+  for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
+    std::uint8_t& held = holds[bodies.of_triangle[t]];
     if (held != 0) continue;
-    visit_cells(cells_round(in_cells(surface, triangle, cells.grid), 1), [&](const Index3& c) {
+    visit_cells(round(t, 1), [&](const Index3& c) {
       if (const Slot s = cells.grid.find(c); s != kNoSlot && cells.distance[s] < 0) held = 1;
     });
   }
-  for (const Triangle& triangle : surface.triangles) {
-    const std::uint32_t body = bodies.of(triangle[0]);
-    if (holds[body] == 1) continue;
-    if (holds[body] == 0) ++cells.drop_count;
-    holds[body] = 2;  // told
-    visit_cells(cells_round(in_cells(surface, triangle, cells.grid), 0.5),
-                [&](const Index3& c) { cells.drops.push_back(c); });
-  }
+  cells.drop_count = static_cast<std::size_t>(std::count(holds.begin(), holds.end(), 0));
+  for (std::size_t t = 0; t < surface.triangles.size(); ++t)
+    if (holds[bodies.of_triangle[t]] == 0)
+      visit_cells(round(t, 0.5), [&](const Index3& c) { cells.drops.push_back(c); });
   std::sort(cells.drops.begin(), cells.drops.end());
   cells.drops.erase(std::unique(cells.drops.begin(), cells.drops.end()), cells.drops.end());
 }
@@ -123,8 +102,7 @@ SparseGrid grid_round(const LiquidCells& cells, int band) {
       const bool surface = cells.near[s] != 0 && std::abs(cells.distance[s]) < grid.h();
       if (!surface && !(cells.distance[s] < 0)) continue;
       const int wide = surface ? band : 0;  // far inside, the surface's cells have the band's
-      const auto rest = static_cast<int>(s % SparseGrid::kCells);
-      const Index3 in{rest / 64, rest / 8 % 8, rest % 8};
+      const Index3 in = SparseGrid::in_block(s);
       Index3 low, high;  // blocks, from the lowest of those round this one
       for (int a = 0; a < 3; ++a) {
         low[a] = (in[a] - wide + reach * kSide) / kSide;

@@ -107,8 +107,7 @@ SolidFaces faces_of(const Solids& solids, const SparseGrid& grid, double t) {
   for (std::size_t b = 0; b < grid.blocks().size(); ++b) {
     if (!nodes.fill(grid.blocks()[b])) continue;
     for (Slot s = b * SparseGrid::kCells; s < (b + 1) * SparseGrid::kCells; ++s) {
-      const auto rest = static_cast<int>(s % SparseGrid::kCells);
-      const Index3 in{rest / 64, rest / 8 % 8, rest % 8};
+      const Index3 in = SparseGrid::in_block(s);
       for (int a = 0; a < 3; ++a) {
         faces.open[a][s] = nodes.open(in, a, s);
         if (moving && faces.open[a][s] < 1)

@@ -9,11 +9,7 @@
 namespace suture {
 namespace {
 
-constexpr int kFurthest = 1 << 29;
 constexpr std::int64_t kLargestTable = 1 << 20;  // blocks; beyond it a hash costs less
-
-/// Rounds down, also below zero.
-int block_of(int i) { return i >= 0 ? i / SparseGrid::kSide : -((7 - i) / SparseGrid::kSide); }
 
 std::uint64_t key(const Index3& b) {
   constexpr std::int64_t shift = 1 << 20;

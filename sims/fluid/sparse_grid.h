@@ -19,6 +19,9 @@ class SparseGrid {
  public:
   static constexpr int kSide = 8;
   static constexpr Slot kCells = 512;  ///< of a block
+  static constexpr int kFurthest = 1 << 29;  ///< no cell's index is that far from 0
+  /// Which block a cell's index is in: rounds down, also below zero.
+  static constexpr int block_of(int i) { return i >= 0 ? i / kSide : -((7 - i) / kSide); }
 
   SparseGrid() = default;
 
@@ -38,8 +41,13 @@ class SparseGrid {
   Slot find(const Index3& cell) const;  ///< kNoSlot if it does not exist
   Index3 cell(Slot s) const {
     const Index3& b = blocks_[s / kCells];
+    const Index3 in = in_block(s);
+    return {b[0] + in[0], b[1] + in[1], b[2] + in[2]};
+  }
+  /// The cell counted from the lowest of its block.
+  static Index3 in_block(Slot s) {
     const int in = static_cast<int>(s % kCells);
-    return {b[0] + in / 64, b[1] + in / 8 % 8, b[2] + in % 8};
+    return {in / 64, in / 8 % 8, in % 8};
   }
   /// The cell next to s along `axis`, `side` being -1 or 1; kNoSlot if it does not exist.
   Slot neighbour(Slot s, int axis, int side) const {

@@ -9,8 +9,6 @@
 namespace suture {
 namespace {
 
-constexpr double kFurthest = 1 << 29;  // as SparseGrid's
-
 struct Corners {
   Point low, high;
 };
@@ -19,10 +17,8 @@ Corners box_of(const CellTriangle& t) {
 }
 
 void check(const Triangles& surface, const Point& origin, double h) {
-  if (!(h > 0) || !std::isfinite(h) || !origin.allFinite())
-    throw InvalidInput("the physics grid needs cells of a finite positive size");
   for (std::size_t v = 0; v < surface.positions.size(); ++v)
-    if (!(((surface.positions[v] - origin) / h).lpNorm<Eigen::Infinity>() < kFurthest))
+    if (!(((surface.positions[v] - origin) / h).lpNorm<Eigen::Infinity>() < SparseGrid::kFurthest))
       throw InvalidInput("vertex " + std::to_string(v) +
                          " of the liquid is not finite, or 2^29 cells or further from the physics "
                          "grid's origin; use larger cells");
@@ -86,12 +82,10 @@ CellRange cells_round(const CellTriangle& triangle, double wider) {
 }
 
 SparseGrid blocks_near(const Triangles& surface, const Point& origin, double h, int width) {
+  const SparseGrid frame(origin, h, {});  // refuses an h that is none
   check(surface, origin, h);
-  const SparseGrid frame(origin, h, {});
   constexpr int side = SparseGrid::kSide;
-  const auto down = [](int i) {
-    return i >= 0 ? i / side * side : -((side - 1 - i) / side * side);
-  };
+  const auto down = [](int i) { return SparseGrid::block_of(i) * side; };
   std::vector<Index3> blocks;
   for (const Triangle& triangle : surface.triangles) {
     const CellRange range = cells_round(in_cells(surface, triangle, frame), width);
