@@ -17,16 +17,19 @@ GridCorners::GridCorners(const SparseGrid& grid, const std::array<double, 3>& wi
     low[a] = whole;
     between[a] = x - whole;
   }
-  const Slot first = grid.find(low);
-  const int side = SparseGrid::kSide;
-  Index3 in{};
-  if (first != kNoSlot) in = SparseGrid::in_block(first);
+  slots[0] = grid.find(low);
   const bool one_block =
-      first != kNoSlot && in[0] < side - 1 && in[1] < side - 1 && in[2] < side - 1;
-  for (int n = 0; n < 8; ++n) {
-    const int x = n >> 2 & 1, y = n >> 1 & 1, z = n & 1;
-    slots[n] = one_block ? first + static_cast<Slot>(64 * x + 8 * y + z)
-                         : grid.find({low[0] + x, low[1] + y, low[2] + z});
+      slots[0] != kNoSlot && (low[0] & 7) < 7 && (low[1] & 7) < 7 && (low[2] & 7) < 7;
+  if (one_block) {
+    for (Slot n = 1; n < 8; ++n) slots[n] = slots[0] + 64 * (n >> 2) + 8 * (n >> 1 & 1) + (n & 1);
+    return;
+  }
+  for (int n = 1; n < 8; ++n) {  // each from the one below it along the last axis that it is up on
+    const int axis = (n & 1) != 0 ? 2 : (n & 2) != 0 ? 1 : 0;
+    const Slot below = slots[n & (n - 1)];
+    slots[n] = below != kNoSlot
+                   ? grid.neighbour(below, axis, 1)
+                   : grid.find({low[0] + (n >> 2 & 1), low[1] + (n >> 1 & 1), low[2] + (n & 1)});
   }
 }
 

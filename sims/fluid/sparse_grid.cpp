@@ -70,27 +70,11 @@ SparseGrid::SparseGrid(const Point& origin, double h, const std::vector<Index3>&
     for (int& i : b) i *= kSide;
 }
 
-std::uint32_t SparseGrid::block(const Index3& b) const {
-  if (table_.empty()) {
-    const auto at = map_.find(key(b));
-    return at == map_.end() ? kNone : at->second;
-  }
-  Index3 in;
-  for (int a = 0; a < 3; ++a) {
-    in[a] = b[a] - low_[a];
-    if (in[a] < 0 || in[a] >= extent_[a]) return kNone;
-  }
-  return table_[static_cast<std::size_t>((in[0] * extent_[1] + in[1]) * extent_[2] + in[2])];
-}
-
-Slot SparseGrid::find(const Index3& cell) const {
-  const Index3 b{block_of(cell[0]), block_of(cell[1]), block_of(cell[2])};
+std::uint32_t SparseGrid::hashed(const Index3& b) const {
   for (const int i : b)
-    if (std::abs(i) >= kFurthest / kSide) return kNoSlot;
-  const std::uint32_t n = block(b);
-  if (n == kNone) return kNoSlot;
-  return n * kCells + static_cast<Slot>((cell[0] - kSide * b[0]) * 64 +
-                                        (cell[1] - kSide * b[1]) * 8 + cell[2] - kSide * b[2]);
+    if (std::abs(i) >= kFurthest / kSide) return kNone;  // a key would be another block's
+  const auto at = map_.find(key(b));
+  return at == map_.end() ? kNone : at->second;
 }
 
 Index3 SparseGrid::cell_at(const Point& p) const {

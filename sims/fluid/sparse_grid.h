@@ -21,7 +21,7 @@ class SparseGrid {
   static constexpr Slot kCells = 512;  ///< of a block
   static constexpr int kFurthest = 1 << 29;  ///< no cell's index is that far from 0
   /// Which block a cell's index is in: rounds down, also below zero.
-  static constexpr int block_of(int i) { return i >= 0 ? i / kSide : -((7 - i) / kSide); }
+  static constexpr int block_of(int i) { return i >> 3; }
 
   SparseGrid() = default;
 
@@ -38,7 +38,11 @@ class SparseGrid {
     return h_ == other.h_ && origin_ == other.origin_ && blocks_ == other.blocks_;
   }
 
-  Slot find(const Index3& cell) const;  ///< kNoSlot if it does not exist
+  Slot find(const Index3& cell) const {  ///< kNoSlot if it does not exist
+    const std::uint32_t n = block({block_of(cell[0]), block_of(cell[1]), block_of(cell[2])});
+    if (n == kNone) return kNoSlot;
+    return n * kCells + static_cast<Slot>((cell[0] & 7) * 64 + (cell[1] & 7) * 8 + (cell[2] & 7));
+  }
   Index3 cell(Slot s) const {
     const Index3& b = blocks_[s / kCells];
     const Index3 in = in_block(s);
@@ -73,7 +77,17 @@ class SparseGrid {
 
  private:
   static constexpr std::uint32_t kNone = 0xffffffffu;
-  std::uint32_t block(const Index3& b) const;  // by the block's own indices
+  std::uint32_t block(const Index3& b) const {  // by the block's own indices
+    if (table_.empty()) return hashed(b);
+    std::size_t at = 0;
+    for (int a = 0; a < 3; ++a) {
+      const int in = b[a] - low_[a];
+      if (in < 0 || in >= extent_[a]) return kNone;
+      at = at * static_cast<std::size_t>(extent_[a]) + static_cast<std::size_t>(in);
+    }
+    return table_[at];
+  }
+  std::uint32_t hashed(const Index3& b) const;
 
   double h_ = 0;
   Point origin_ = Point::Zero();
