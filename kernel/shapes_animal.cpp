@@ -39,8 +39,7 @@ Triangles animal(const AnimalParameters& p) {
   require_thin_edges("animal", p.edge_length, {"legs", p.leg_radius * p.length, 0.6});
   constexpr double kRound = 0.05;  // lengths; how far limbs flow into each other
   const Box box{Point(-0.8, -0.05, -0.25), Point(1.0, 1.3, 0.25)};
-  return skin(CapsuleUnion(limbs(p.leg_radius), kRound),
-              {box, p.centre, p.length, p.edge_length});
+  return skin(CapsuleUnion(limbs(p.leg_radius), kRound), {box, p.centre, p.length, p.edge_length});
 }
 
 }  // namespace suture

@@ -1,10 +1,12 @@
 """Seconds, volumes and topology of the figures' runs, beside what the paper says of them."""
 
-import csv
 import json
-import os
 import pathlib
 import sys
+
+sys.dont_write_bytecode = True
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "wojtan2009"))
+from tables import as_csv, write
 
 # What the paper says: of its figure, of its seconds a frame in 2009 (0: it gives none).
 CLAIMS = {
@@ -18,12 +20,6 @@ CLAIMS = {
 }
 # Spent by the tracker; all others are the solver's.
 TRACKER = ("move", "remodel", "improve")
-
-
-def write(path, text):
-    part = pathlib.Path(str(path) + ".part")
-    part.write_text(text)
-    os.replace(part, path)
 
 
 def row_of(name, report):
@@ -51,18 +47,6 @@ def row_of(name, report):
             "closed_manifold": report.get("audit", {}).get("closed_manifold", "")}
 
 
-def table(path, rows):
-    lines = []
-
-    class Lines:
-        write = lines.append
-
-    out = csv.DictWriter(Lines, list(rows[0]), lineterminator="\n")
-    out.writeheader()
-    out.writerows(rows)
-    write(path, "".join(lines))
-
-
 def verdict_of(row):
     said, seconds = CLAIMS.get(row["run"], ("", 0))
     ours = (f"{row['seconds_a_frame']:.3g} s a frame (solver {row['solver_seconds_a_frame']:.3g}, tracker "
@@ -81,8 +65,9 @@ def main():
     folder = pathlib.Path(sys.argv[1])
     reports = {p.stem: json.loads(p.read_text()) for p in sorted((folder / "runs").glob("*.json"))}
     rows = [row_of(name, report) for name, report in reports.items()]
-    table(folder / "fluid.csv", rows)
-    table(folder / "modules.csv", [{"run": name, **m} for name, r in reports.items() for m in r["modules"]])
+    write(folder / "fluid.csv", as_csv(rows))
+    write(folder / "modules.csv",
+          as_csv([{"run": name, **m} for name, r in reports.items() for m in r["modules"]]))
     out = ["# The fluid's figures", "", "| run | the paper | here | verdict |", "|---|---|---|---|"]
     write(folder / "verdict.md", "\n".join(out + [verdict_of(row) for row in rows]) + "\n")
 

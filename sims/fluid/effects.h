@@ -32,8 +32,9 @@ class Effects {
   /// The longest step that what is explicit allows; infinite where all is implicit.
   double longest_step() const;
 
-  /// Moves what the liquid carries onto the liquid's grid, by the velocity on the one before. Strain
-  /// lives at the surface's times, not at the velocity's: dt is what the surface last moved by.
+  /// Moves what the liquid carries onto the liquid's grid, by the velocity on the one before.
+  /// Strain lives at the surface's times, not at the velocity's: dt is what the surface last moved
+  /// by.
   void carry(const MacVelocity& old, const Liquid& liquid, double dt);
   /// Told of the velocity as it is after the projection, known wherever there is liquid, and of the
   /// dt that the surface is about to move by.

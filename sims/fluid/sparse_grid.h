@@ -18,7 +18,7 @@ inline constexpr Slot kNoSlot = static_cast<Slot>(-1);
 class SparseGrid {
  public:
   static constexpr int kSide = 8;
-  static constexpr Slot kCells = 512;  ///< of a block
+  static constexpr Slot kCells = 512;        ///< of a block
   static constexpr int kFurthest = 1 << 29;  ///< no cell's index is that far from 0
   /// Which block a cell's index is in: rounds down, also below zero.
   static constexpr int block_of(int i) { return i >> 3; }

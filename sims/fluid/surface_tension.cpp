@@ -10,6 +10,7 @@
 #include "sims/fluid/surface_velocity.h"
 
 namespace suture {
+
 std::array<std::vector<double>, 3> tension_jump(const Triangles& surface,
                                                 const NearestTriangle& nearest,
                                                 const std::vector<double>& curvature,

@@ -8,9 +8,10 @@
 
 namespace suture {
 
+inline constexpr int kWhenItSettles = std::numeric_limits<int>::max();  ///< and at no step
+
 /// How often the mesh is looked after, in steps; 0: never, not even when it settles. Both 0 are the
 /// paper's other extreme, markers on a mesh that never changes [§9].
-inline constexpr int kWhenItSettles = std::numeric_limits<int>::max();  ///< and at no step
 struct MeshSchedule {
   int remodel_every = 1, improve_every = 1;
 };

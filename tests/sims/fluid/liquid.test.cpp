@@ -5,29 +5,10 @@
 #include <limits>
 
 #include "kernel/errors.h"
+#include "kernel/transform.h"
 #include "tests/sims/fluid/liquids.h"
 
 using namespace suture;
-
-namespace {
-
-Triangles ball(const Point& centre, double radius, double edge) {
-  SphereParameters p;
-  p.centre = centre;
-  p.radius = radius;
-  p.edge_length = edge;
-  return sphere(p);
-}
-
-Triangles both(Triangles a, const Triangles& b) {
-  const auto first = static_cast<std::uint32_t>(a.positions.size());
-  a.positions.insert(a.positions.end(), b.positions.begin(), b.positions.end());
-  for (const Triangle& t : b.triangles)
-    a.triangles.push_back({t[0] + first, t[1] + first, t[2] + first});
-  return a;
-}
-
-}  // namespace
 
 TEST_CASE("a cell is liquid where its centre is inside, and D is exact near the surface") {
   for (const double edge : {0.7, 4.0}) {  // in cells: finer and coarser than the grid
@@ -117,7 +98,8 @@ TEST_CASE("a drop that holds no cell's centre is told of, one that does is not")
   const double h = 1;
   CHECK(LiquidScene(ball({0, 0, 0}, 0.4, 0.2), h).cells.drop_count == 1);
   CHECK(LiquidScene(ball({0.5, 0.5, 0.5}, 0.4, 0.2), h).cells.drop_count == 0);
-  const LiquidScene scene(both(ball({0, 0, 0}, 0.4, 0.2), ball({12, 12, 12}, 5, 1)), h);
+  const LiquidScene scene(merged(std::vector{ball({0, 0, 0}, 0.4, 0.2), ball({12, 12, 12}, 5, 1)}),
+                          h);
   CHECK(scene.cells.drop_count == 1);
   REQUIRE(scene.liquid.drops.size() == 8);
   for (const Slot s : scene.liquid.drops)
@@ -125,9 +107,10 @@ TEST_CASE("a drop that holds no cell's centre is told of, one that does is not")
 }
 
 TEST_CASE("two blobs ten thousand cells apart cost as two") {
-  const LiquidScene close(both(ball({0, 0, 0}, 4, 1), ball({64, 64, 64}, 4, 1)), 1);
+  const LiquidScene close(merged(std::vector{ball({0, 0, 0}, 4, 1), ball({64, 64, 64}, 4, 1)}), 1);
   const double far = 16000;
-  const LiquidScene apart(both(ball({0, 0, 0}, 4, 1), ball({far, far, far}, 4, 1)), 1);
+  const LiquidScene apart(merged(std::vector{ball({0, 0, 0}, 4, 1), ball({far, far, far}, 4, 1)}),
+                          1);
   CHECK(apart.grid.size() == close.grid.size());
   CHECK(apart.liquid.memory() == close.liquid.memory());
 }

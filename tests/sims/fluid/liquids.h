@@ -13,6 +13,14 @@
 
 namespace suture {
 
+inline Triangles ball(const Point& centre, double radius, double edge_length) {
+  SphereParameters p;
+  p.centre = centre;
+  p.radius = radius;
+  p.edge_length = edge_length;
+  return sphere(p);
+}
+
 /// A box of liquid of two triangles a side.
 inline Triangles block_of_liquid(const Point& low, const Point& high) {
   BoxParameters p;

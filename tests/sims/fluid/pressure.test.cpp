@@ -12,14 +12,6 @@ using namespace suture;
 
 namespace {
 
-Triangles ball(const Point& centre, double radius, double edge) {
-  SphereParameters p;
-  p.centre = centre;
-  p.radius = radius;
-  p.edge_length = edge;
-  return sphere(p);
-}
-
 Point swirl(const Point& p) {
   return {std::sin(3 * p[1]) + p[0] * p[2], std::cos(2 * p[0]) - p[1], p[0] * p[1] + 0.3 * p[2]};
 }

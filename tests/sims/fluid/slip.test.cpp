@@ -10,14 +10,6 @@ using namespace suture;
 
 namespace {
 
-Triangles ball(const Point& centre, double radius, double edge) {
-  SphereParameters p;
-  p.centre = centre;
-  p.radius = radius;
-  p.edge_length = edge;
-  return sphere(p);
-}
-
 /// Projected, extrapolated and constrained.
 MacVelocity slid(const LiquidScene& scene, const std::function<Point(const Point&)>& field) {
   MacVelocity v = scene.velocity(field);
