@@ -1,6 +1,9 @@
 // Velocity carried by itself from one grid to the next.
 #include "sims/fluid/advect_velocity.h"
 
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 
 namespace suture {
@@ -13,20 +16,31 @@ struct Path {
   Point start;
 };
 
+/// Each on whichever thread: none looks at what another writes.
+template <class Visit>
+void for_each_path(std::vector<Path>& paths, Visit visit) {
+  constexpr std::size_t kGrain = 4096;
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, paths.size(), kGrain),
+                    [&](const auto& range) {
+                      for (std::size_t i = range.begin(); i < range.end(); ++i) visit(paths[i]);
+                    });
+}
+
 /// Selle et al.'s second pass: half of what going there and back changes is taken off again.
-void correct(MacVelocity& now, const MacVelocity& old, const std::vector<Path>& paths, double dt) {
+void correct(MacVelocity& now, const MacVelocity& old, std::vector<Path>& paths, double dt) {
   const MacVelocity there = now;
-  for (const auto& [axis, s, start] : paths) {
+  for_each_path(paths, [&](const Path& path) {
+    const auto& [axis, s, start] = path;
     const Index3 cell = now.grid->cell(s);
     const Slot before = old.grid->find(cell);
-    if (before == kNoSlot || old.known[axis][before] == 0) continue;
+    if (before == kNoSlot || old.known[axis][before] == 0) return;
     const auto bounds = old.bounds(axis, start);
-    if (!bounds.any) continue;
+    if (!bounds.any) return;
     const double was = old.u[axis][before];
     const Point end = path_start(old, now.grid->face(cell, axis), -dt);
     const double back = there.component(axis, end, was);
     now.u[axis][s] = std::clamp(there.u[axis][s] + 0.5 * (was - back), bounds.low, bounds.high);
-  }
+  });
 }
 
 }  // namespace
@@ -42,15 +56,16 @@ MacVelocity carried(const MacVelocity& old, const Liquid& liquid, double dt,
                     VelocityAdvection scheme) {
   MacVelocity now(*liquid.grid);
   std::vector<Path> paths;
-  const bool corrects = scheme == VelocityAdvection::mac_cormack;
   for_each_carried_face(liquid, [&](int axis, Slot s) {
-    const Point p = liquid.grid->face(liquid.grid->cell(s), axis);
-    const Point start = path_start(old, p, dt);
-    now.u[axis][s] = old.component(axis, start, old.component(axis, p));
     now.known[axis][s] = 1;
-    if (corrects) paths.push_back({axis, s, start});
+    paths.push_back({axis, s, Point::Zero()});
   });
-  if (corrects) correct(now, old, paths, dt);
+  for_each_path(paths, [&](Path& path) {
+    const Point p = liquid.grid->face(liquid.grid->cell(path.face), path.axis);
+    path.start = path_start(old, p, dt);
+    now.u[path.axis][path.face] = old.component(path.axis, path.start, old.component(path.axis, p));
+  });
+  if (scheme == VelocityAdvection::mac_cormack) correct(now, old, paths, dt);
   return now;
 }
 

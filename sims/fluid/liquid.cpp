@@ -1,6 +1,9 @@
 // Which cells of the physics grid are liquid, from the tracked surface.
 #include "sims/fluid/liquid.h"
 
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -75,6 +78,20 @@ void find_drops(const Triangles& surface, LiquidCells& cells) {
   cells.drops.erase(std::unique(cells.drops.begin(), cells.drops.end()), cells.drops.end());
 }
 
+/// D of the near cells: the first alone, as a tracker may prepare something then.
+void ask_near(const DistanceFunction& distance, LiquidCells& cells) {
+  const SparseGrid& grid = cells.grid;
+  const auto ask = [&](Slot s) { cells.distance[s] = distance(grid.centre(grid.cell(s))); };
+  const auto first = std::find(cells.near.begin(), cells.near.end(), 1);
+  if (first == cells.near.end()) return;
+  ask(static_cast<Slot>(first - cells.near.begin()));
+  tbb::parallel_for(
+      tbb::blocked_range<std::size_t>(0, grid.blocks().size()), [&](const auto& range) {
+        for (Slot s = range.begin() * SparseGrid::kCells; s < range.end() * SparseGrid::kCells; ++s)
+          if (cells.near[s] != 0) ask(s);
+      });
+}
+
 }  // namespace
 
 LiquidCells find_liquid(const Triangles& surface, const DistanceFunction& distance,
@@ -83,8 +100,7 @@ LiquidCells find_liquid(const Triangles& surface, const DistanceFunction& distan
   cells.grid = blocks_near(surface, origin, h, near);
   cells.near = cells_near(surface, cells.grid, near);
   cells.distance.assign(cells.grid.size(), 0);
-  for (Slot s = 0; s < cells.grid.size(); ++s)
-    if (cells.near[s] != 0) cells.distance[s] = distance(cells.grid.centre(cells.grid.cell(s)));
+  ask_near(distance, cells);
   fill_between(cells);
   for (int a = 0; a < 3; ++a) cells.crossings[a] = crossings_along(surface, cells.grid, a);
   find_drops(surface, cells);

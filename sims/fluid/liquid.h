@@ -38,10 +38,10 @@ struct LiquidCells {
   std::size_t drop_count = 0;  ///< such bodies
 };
 
-/// Asks for D once a cell with a triangle within `near` cells, and fills between those: the inside
-/// of a big body costs nothing a cell. A body too small to hold a cell's centre is told of.
-/// \throw InvalidInput if h is not finite and positive, an index is out of range, or a position is
-/// not finite or 2^29 cells or further off
+/// Asks for D, on all threads, once a cell with a triangle within `near` cells, and fills between
+/// those: the inside of a big body costs nothing a cell. A body too small to hold a cell's centre
+/// is told of. \throw InvalidInput if h is not finite and positive, an index is out of range, or a
+/// position is not finite or 2^29 cells or further off
 LiquidCells find_liquid(const Triangles& surface, const DistanceFunction& distance,
                         const Point& origin, double h, int near = kNear);
 

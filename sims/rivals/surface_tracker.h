@@ -41,8 +41,9 @@ class SurfaceTracker {
   /// first asked for; the reference holds until the next advect or settle.
   virtual const Triangles& surface() = 0;
 
-  /// Signed distance at p, negative inside; methods with a band give ± its width beyond it.
-  /// \pre the surface is not empty
+  /// Signed distance at p, negative inside; methods with a band give ± its width beyond it. The
+  /// first question since the surface moved may prepare something; then any number of threads may
+  /// ask. \pre the surface is not empty
   virtual double distance(const Point& p) = 0;
 
   /// Who is told of remodels and improvements from now on, where the method has these; null:
