@@ -20,6 +20,17 @@ CLAIMS = {
 }
 # Spent by the tracker; all others are the solver's.
 TRACKER = ("move", "remodel", "improve")
+# Stages of a remodel that find inside and outside; the others change topology or look for where to.
+DISTANCE = ("crossings", "winding", "distance")
+
+
+def distance_share(report):
+    """Of the seconds of all remodels."""
+    stages = {}
+    for remodel in report.get("remodels", []):
+        for stage, seconds in remodel["seconds"].items():
+            stages[stage] = stages.get(stage, 0) + seconds
+    return sum(stages.get(stage, 0) for stage in DISTANCE) / (sum(stages.values()) or 1)
 
 
 def row_of(name, report):
@@ -30,11 +41,14 @@ def row_of(name, report):
     modules = {m["name"]: m["seconds"] for m in report["modules"]}
     solver = sum(s for m, s in modules.items() if m != "surface")
     tracker = sum(spent.get(part, 0) for part in TRACKER) or modules.get("surface", 0)
+    remodel = spent.get("remodel", 0) / tracker if tracker else 0
+    distance = remodel * distance_share(report)
     volumes = [s["volume"] / first["volume"] - 1 for s in steps]
     return {"run": name, "frames": frames, "finished": summary["finished"],
             "seconds_a_frame": sum(s["seconds"] for s in steps[1:]) / frames,
             "solver_seconds_a_frame": solver / frames, "tracker_seconds_a_frame": tracker / frames,
-            "topology_share": spent.get("remodel", 0) / tracker if tracker else 0,
+            "topology_share": remodel - distance, "distance_share": distance,
+            "rest_share": 1 - remodel if remodel else 0,
             "substeps": modules and max(m["calls"] for m in report["modules"] if m["name"] == "pressure") / frames,
             "triangles_first": first["triangles"], "triangles_last": last["triangles"],
             "triangles_most": max(s["triangles"] for s in steps),
@@ -61,6 +75,30 @@ def verdict_of(row):
     return f"| {row['run']} | {said} | {ours} | {holds} |"
 
 
+def tracker_table(rows):
+    """What the paper's section 8 says of its tracker's time, and ours."""
+    percent = lambda x: f"{100 * x:.0f} %"
+    return ["", "## Where the tracker's time goes (CPU)", "", "| run | topology | distance | rest |",
+            "|---|--:|--:|--:|", "| the paper, section 8 | 60 % | 20 % | 20 % |"] + [
+        f"| {row['run']} | {percent(row['topology_share'])} | {percent(row['distance_share'])} | "
+        f"{percent(row['rest_share'])} |" for row in rows if row["remodels"]]
+
+
+def price_table(reports):
+    """Each module's CPU seconds a frame, and megabytes at most; nothing where a scene does not name it."""
+    names = list(dict.fromkeys(m["name"] for r in reports.values() for m in r["modules"]))
+    lines = ["", "## What each module takes (CPU seconds a frame, megabytes of arrays)", "",
+             "| module | " + " | ".join(reports) + " |", "|---|" + "--:|" * len(reports)]
+    for name in names:
+        cells = []
+        for report in reports.values():
+            module = next((m for m in report["modules"] if m["name"] == name), None)
+            frames = max(1, len(report["steps"]) - 1)
+            cells.append(f"{module['seconds'] / frames:.3f} s, {module['bytes'] / 1e6:.0f} MB" if module else "")
+        lines.append(f"| {name} | " + " | ".join(cells) + " |")
+    return lines
+
+
 def main():
     folder = pathlib.Path(sys.argv[1])
     reports = {p.stem: json.loads(p.read_text()) for p in sorted((folder / "runs").glob("*.json"))}
@@ -69,7 +107,8 @@ def main():
     write(folder / "modules.csv",
           as_csv([{"run": name, **m} for name, r in reports.items() for m in r["modules"]]))
     out = ["# The fluid's figures", "", "| run | the paper | here | verdict |", "|---|---|---|---|"]
-    write(folder / "verdict.md", "\n".join(out + [verdict_of(row) for row in rows]) + "\n")
+    out += [verdict_of(row) for row in rows] + tracker_table(rows) + price_table(reports)
+    write(folder / "verdict.md", "\n".join(out) + "\n")
 
 
 if __name__ == "__main__":
