@@ -37,6 +37,8 @@ FluidSteps::FluidSteps(const Scene& scene)
 void FluidSteps::step(std::int64_t index, StepWatcher& watcher) {
   tracker_->watch(&watcher);
   const double end = step_end(scene_.time, index);
+  const int every = std::max(scene_.time.remodel_every, scene_.time.improve_every);
+  const bool settles_early = every > 0 && tracker_->keeps_triangles();
   int done = 0;
   for (double left = end - fluid_.time(); left > 0;) {
     const int steps =
@@ -46,14 +48,16 @@ void FluidSteps::step(std::int64_t index, StepWatcher& watcher) {
     watcher.moved(dt);
     ++done;
     left = steps == 1 ? 0 : end - fluid_.time();
+    if (settles_early && left > 0 && fluid_.wants_topology()) settle();
   }
-  const int every = std::max(scene_.time.remodel_every, scene_.time.improve_every);
-  if (every > 0 && (index % every == 0 || index == scene_.time.steps())) {
-    fluid_.before_remodel(tracker_->surface());
-    tracker_->settle();
-    fluid_.after_remodel(tracker_->surface());
-  }
+  if (every > 0 && (index % every == 0 || index == scene_.time.steps())) settle();
   tracker_->watch(nullptr);
+}
+
+void FluidSteps::settle() {
+  fluid_.before_remodel(tracker_->surface());
+  tracker_->settle();
+  fluid_.after_remodel(tracker_->surface());
 }
 
 }  // namespace suture

@@ -14,6 +14,8 @@ class FluidSteps : public Steps {
   /// after every few frames but not at the same ones
   explicit FluidSteps(const Scene& scene);
 
+  /// Topology comes at the end of the frames that `time` says, and earlier where the surface has
+  /// moved far (FluidOptions::topology_cells), unless `time` says never.
   void step(std::int64_t index, StepWatcher& watcher) override;
   const Triangles& surface() const override { return tracker_->surface(); }
   double time() const override { return fluid_.time(); }
@@ -21,6 +23,8 @@ class FluidSteps : public Steps {
   const Fluid* fluid() const override { return &fluid_; }
 
  private:
+  void settle();
+
   const Scene& scene_;
   std::unique_ptr<SurfaceTracker> tracker_;
   Fluid fluid_;

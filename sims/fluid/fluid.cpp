@@ -26,6 +26,7 @@ void check(const FluidOptions& o) {
   require(o.gravity.allFinite() && o.origin.allFinite(), "gravity and origin must be finite");
   require(o.cfl > 0 && std::isfinite(o.cfl), "cfl must be finite and above 0");
   require(o.most_steps > 0, "most_steps must be 1 or more");
+  require(o.topology_cells > 0, "topology_cells must be above 0");
   const auto at_least_0 = [](double x) { return x >= 0 && std::isfinite(x); };
   require(at_least_0(o.viscosity.value_or(0)), "viscosity must be finite and at least 0");
   require(at_least_0(o.surface_tension.value_or(0)), "tension must be finite and at least 0");
@@ -80,6 +81,7 @@ struct Fluid::State {
   SolidFaces faces;
   MacVelocity velocity;
   double time = 0, last_dt = 0;
+  double since_surgery = 0;  ///< cells that the fastest liquid has crossed since the last surgery
   FluidStep last;
   ModuleCosts costs;
   std::unique_ptr<Effects> effects;
@@ -197,12 +199,19 @@ void Fluid::step(SurfaceTracker& surface, double dt) {
   if (!(dt > 0) || !std::isfinite(dt)) throw InvalidInput("fluid: a step must be above 0 long");
   if (!surface.surface().triangles.empty()) s.bring_forward(surface, dt);
   s.move(surface, dt);
+  s.since_surgery += s.last.cfl;
   s.last.dt = s.last_dt = dt;
   s.time += dt;
 }
 
 void Fluid::before_remodel(const Triangles& surface) { state_->effects->before_remodel(surface); }
-void Fluid::after_remodel(const Triangles& surface) { state_->effects->after_remodel(surface); }
+void Fluid::after_remodel(const Triangles& surface) {
+  state_->effects->after_remodel(surface);
+  state_->since_surgery = 0;
+}
+bool Fluid::wants_topology() const {
+  return state_->since_surgery + state_->last.cfl > state_->options.topology_cells;
+}
 
 Point Fluid::velocity(const Point& p) const {
   return state_->started() ? state_->velocity.at(p) : state_->initial(p);

@@ -47,6 +47,10 @@ class Fluid {
   void before_remodel(const Triangles& surface);
   void after_remodel(const Triangles& surface);
 
+  /// Whether the surface has moved so far since after_remodel that the next step might take it
+  /// beyond FluidOptions::topology_cells: a surgery should come first.
+  bool wants_topology() const;
+
   /// At p now: in the liquid and some cells round it; elsewhere 0.
   Point velocity(const Point& p) const;
   double time() const;

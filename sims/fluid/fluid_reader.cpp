@@ -121,6 +121,7 @@ std::shared_ptr<const FluidOptions> read_fluid(TomlTable& scene, const TrackerOp
   o.gravity = keys.vector("gravity", o.gravity);
   o.cfl = keys.number("cfl", Range::above(0), o.cfl);
   o.most_steps = static_cast<int>(keys.integer("most_steps", Range::between(1, 1e6), o.most_steps));
+  o.topology_cells = keys.number("topology_cells", Range::above(0), o.topology_cells);
   o.advection = keys.choice("advection", kAdvections, o.advection);
   o.pressure = read_solver(keys, o.pressure);
   keys.done();

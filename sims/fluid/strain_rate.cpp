@@ -10,6 +10,10 @@ namespace {
 /// nearer one would make the face's equation a held one anyway.
 constexpr double kNearestWall = 1e-3;
 
+/// A wall along the grid leaves the faces across it as open on one side of a cell as on the other,
+/// to the rounding of a solid's distance.
+constexpr double kFlat = 1e-6;
+
 }  // namespace
 
 void TensorField::fill(std::size_t slots, double value) {
@@ -34,22 +38,36 @@ RateStencil StrainRate::stretch(int axis, Slot s) const {
   const Slot next = grid().neighbour(s, axis, 1);
   double weight = shares_->cell[s];
   if (weight == 0 || next == kNoSlot) return r;
-  if (!no_slip_ && solids_->any()) {
-    if (held(axis, s) || held(axis, next)) return r;
-    weight *= (solids_->open[axis][s] + solids_->open[axis][next]) / 2;
-  }
   double way = 1;
-  if (no_slip_ && solids_->any() && held(axis, s) != held(axis, next)) {
-    way = 0;
-    for (const int other : {next_axis(axis), prev_axis(axis)}) {
-      const Slot high = grid().neighbour(s, other, 1);
-      way += solids_->open[other][s] / 4 + (high == kNoSlot ? 1 : solids_->open[other][high]) / 4;
-    }
-    way = std::clamp(way, kNearestWall, 1.0);
+  if (solids_->any() && held(axis, s) != held(axis, next)) {
+    way = way_across(axis, s);
+    if (way == 0) return r;
+  } else if (!no_slip_ && solids_->any()) {
+    if (held(axis, s)) return r;
+    weight *= (solids_->open[axis][s] + solids_->open[axis][next]) / 2;
   }
   r = {2, {axis, axis}, {s, next}, {-1 / way, 1 / way}, weight};
   r.weight = way * wetted(r);
   return r.weight > 0 ? r : RateStencil{};
+}
+
+double StrainRate::way_across(int axis, Slot s) const {
+  double sum = 0, least = 1, most = 0;
+  int count = 0;
+  for (const int other : {next_axis(axis), prev_axis(axis)}) {
+    const Slot high = grid().neighbour(s, other, 1);
+    for (const double open :
+         {solids_->open[other][s], high == kNoSlot ? 1 : solids_->open[other][high]}) {
+      if (!no_slip_ && !(open > 0)) continue;  // another wall's
+      sum += open;
+      ++count;
+      least = std::min(least, open);
+      most = std::max(most, open);
+    }
+  }
+  if (count == 0) return 1;
+  if (!no_slip_ && most - least > kFlat) return 0;
+  return std::clamp(sum / count, kNearestWall, 1.0);
 }
 
 /// The weight, but no more than there is liquid at the faces that are held: what has come within a

@@ -62,7 +62,8 @@ struct RateStencil {
 /// The numbers of the strain rate that the liquid's stress is made of: those of control volumes
 /// that have liquid. Without slip, faces whose middle is in a solid are held at its velocity, and
 /// the shear beside them is over the way from the wall, as far as `open` tells it: exact for a wall
-/// along the grid. With slip, solids exert no stress: what touches a closed face is left out.
+/// along the grid. With slip, only the stress across a wall along the grid is there, whose closed
+/// faces no liquid crosses; else what touches a closed face, which may slip, is left out.
 class StrainRate {
  public:
   StrainRate(const Shares& shares, const SolidFaces& solids, bool no_slip)
@@ -99,6 +100,9 @@ class StrainRate {
   RateStencil shear(int axis, Slot s) const;    ///< 2h·D_bc
 
  private:
+  /// Of cell s, in cells, from the wall across `axis` to the face on the other side; 0 where that
+  /// is slipped along and not along the grid.
+  double way_across(int axis, Slot s) const;
   double way_from_wall(int axis, Slot one, Slot other) const;
   double wetted(const RateStencil& r) const;
 

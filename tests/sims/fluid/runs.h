@@ -1,0 +1,240 @@
+// A surface and the liquid in it, stepped together: for what is measured of the whole fluid.
+#pragma once
+
+#include <algorithm>
+#include <memory>
+#include <numbers>
+#include <utility>
+
+#include "kernel/measures.h"
+#include "kernel/shapes.h"
+#include "kernel/transform.h"
+#include "sims/fluid/fluid.h"
+#include "sims/rivals/mesh_tracker.h"
+#include "tests/sims/fluid/blobs.h"
+#include "tests/sims/fluid/drops.h"
+
+namespace suture {
+
+/// How the mesh is looked after: never, at the end of each frame, or improved at each step.
+inline constexpr MeshSchedule kMarkers{0, 0}, kPerFrame{kWhenItSettles, kWhenItSettles},
+    kNoMerges{0, 1};
+
+inline Point at_rest(const Point&) { return Point::Zero(); }
+
+inline SolidOptions container(const Point& low, const Point& high) {
+  SolidOptions s;
+  s.box = {low, high};
+  return s;
+}
+
+/// A block of liquid between two corners, on which its vertices are to the last bit.
+inline Triangles block(const Point& low, const Point& high, double edge) {
+  Triangles made = box({.centre = (low + high) / 2, .size = high - low, .edge_length = edge});
+  for (Point& p : made.positions)
+    for (int a = 0; a < 3; ++a)
+      for (const double wall : {low[a], high[a]})
+        if (std::abs(p[a] - wall) < 1e-9 * (high[a] - low[a])) p[a] = wall;
+  return made;
+}
+
+struct Run {
+  std::unique_ptr<SurfaceTracker> surface;
+  Fluid fluid;
+
+  Run(const Triangles& start, double cell, const FluidOptions& options, Fluid::Initial initial,
+      const MeshSchedule& schedule)
+      : fluid(options, std::move(initial)) {
+    TrackerOptions tracker;
+    tracker.cell_size = cell;
+    tracker.origin = Point(0.011, 0.013, 0.007) * cell;
+    tracker.quality.keep_features = false;
+    tracker.quality.subdivision = Subdivision::fitted;
+    surface = make_mesh_tracker(start, tracker, schedule);
+  }
+  void frame(double dt) {
+    const int steps = fluid.steps_in(dt);
+    for (int i = 0; i < steps; ++i) fluid.step(*surface, dt / steps);
+    fluid.before_remodel(surface->surface());
+    surface->settle();
+    fluid.after_remodel(surface->surface());
+  }
+  const std::vector<Point>& points() { return surface->surface().positions; }
+  double volume() { return suture::volume(surface->surface()); }
+  double fastest() {
+    double most = 0;
+    for (const Point& p : points()) most = std::max(most, fluid.velocity(p).norm());
+    return most;
+  }
+};
+
+// --- Drops under tension: tension, density and cells are 1
+
+inline FluidOptions drop_options() {
+  FluidOptions options;
+  options.cell_size = options.density = 1;
+  options.surface_tension = 1;
+  options.pressure.tolerance = 1e-8;
+  return options;
+}
+
+/// Of the second mode [Lamb 1932, §275].
+inline double drop_period(double radius) {
+  return 2 * std::numbers::pi * std::sqrt(radius * radius * radius / 8);
+}
+
+// --- A ball of radius 1 that is twisted: a wave that its free surface reflects
+
+inline const Point kMiddle{0.013, 0.027, -0.017};  // nowhere special on the grid
+inline constexpr double kFree = 5.763459197;       // k·R of the slowest torsion without a torque
+
+inline Point twist(const Point& p) { return torsion(kFree)(p); }
+
+/// The part of `size` times the twist in the liquid of the ball about `middle` that moves with
+/// `drift`, and the root of the mean square of what is else, relative to the twist's.
+inline std::pair<double, double> twisted(const Fluid& fluid, double size, const Point& middle,
+                                         const Point& drift) {
+  double part = 0, all = 0, rest = 0;
+  Random random(5);
+  std::vector<std::pair<Point, Point>> samples;
+  while (samples.size() < 2000) {
+    const Point p = random_vector(random);
+    if (p.norm() > 1) continue;
+    samples.emplace_back(twist(p), (fluid.velocity(middle + p) - drift) / size);
+    part += samples.back().first.dot(samples.back().second);
+    all += samples.back().first.squaredNorm();
+  }
+  for (const auto& [should, is] : samples) rest += (is - should).squaredNorm();
+  return {part / all, std::sqrt(rest / all)};
+}
+
+inline Run twisted_ball(int cells, double size, FluidOptions options,
+                        const Point& drift = Point::Zero()) {
+  options.cell_size = 1.0 / cells;
+  options.density = 1;
+  options.pressure.tolerance = options.viscous_solver.tolerance = 1e-8;
+  return {sphere({.centre = kMiddle, .edge_length = 0.9 / cells, .exact_volume = 1}), 1.0 / cells,
+          options, [=](const Point& p) -> Point { return drift + size * twist(p - kMiddle); },
+          kMarkers};
+}
+
+/// The largest strain on the way of a ball of modulus 1 that is set turning by `size` times the
+/// twist, and the one that is left when friction has brought it to rest: sizes of the deviatoric
+/// strain as an elastic ball's would be, where it is largest. Without what it goes on to turn as a
+/// whole, which nothing stops.
+inline std::pair<double, double> lasting_strain(int cells, double size, double yield_strain) {
+  constexpr double kOfTwist = kFree * 0.30675 / std::numbers::sqrt2;  // k·max j₂/√2
+  constexpr int kSteps = 100;
+  FluidOptions options;
+  options.viscosity = 0.05;
+  options.viscoelasticity = ElasticOptions{.modulus = 1, .yield_strain = yield_strain};
+  Run run = twisted_ball(cells, size, options);
+  const double dt = 0.5 / cells;
+  std::vector<double> twists{0};
+  for (int i = 0; i < kSteps; ++i) {
+    run.fluid.step(*run.surface, dt);
+    twists.push_back(twists.back() +
+                     dt * size * twisted(run.fluid, size, kMiddle, Point::Zero()).first);
+  }
+  const double still_turns = twists[kSteps] - twists[kSteps - 1];
+  double most = 0;
+  for (int i = 0; i <= kSteps; ++i) most = std::max(most, twists[i] - i * still_turns);
+  return {kOfTwist * most, kOfTwist * (twists[kSteps] - kSteps * still_turns)};
+}
+
+// --- A vortex that fills [0, π]² and some cells across it [Taylor and Green 1937]
+
+inline Point vortex(const Point& p) {
+  return {std::sin(p[0]) * std::cos(p[1]), -std::cos(p[0]) * std::sin(p[1]), 0};
+}
+
+struct Vortex {
+  int cells;
+  double size;  ///< of its velocity
+  Run run;
+
+  static Run started(int cells, double size, FluidOptions options) {
+    const double h = std::numbers::pi / cells;
+    const Point low = Point::Zero(), high = h * Point(cells, cells, 3);
+    options.cell_size = h;
+    options.density = 1;
+    options.no_slip = false;
+    options.pressure.tolerance = options.viscous_solver.tolerance = 1e-9;
+    options.solids = {container(low, high)};
+    return {block(low, high, h), h, options,
+            [size](const Point& p) -> Point { return size * vortex(p); }, kMarkers};
+  }
+  Vortex(int n, double speed, const FluidOptions& options)
+      : cells(n), size(speed), run(started(n, speed, options)) {}
+
+  /// Components at the inner faces across x and y, over `size`: is, should.
+  std::vector<std::pair<double, double>> faces() const {
+    const double h = std::numbers::pi / cells;
+    std::vector<std::pair<double, double>> all;
+    for (int i = 1; i < cells; ++i)
+      for (int j = 0; j < cells; ++j)
+        for (int a = 0; a < 2; ++a) {
+          Point p = h * Point(i, j + 0.5, 1.5);
+          if (a == 1) std::swap(p[0], p[1]);
+          all.emplace_back(run.fluid.velocity(p)[a] / size, vortex(p)[a]);
+        }
+    return all;
+  }
+  void advance(double time, int steps) {
+    for (int i = 0; i < steps; ++i) run.fluid.step(*run.surface, time / steps);
+  }
+  /// The part of the vortex, and the root of the mean square of what else there is, relative.
+  std::pair<double, double> part() const {
+    double dot = 0, all = 0, rest = 0;
+    for (const auto& [is, should] : faces()) {
+      dot += is * should;
+      all += should * should;
+      rest += (is - should) * (is - should);
+    }
+    return {dot / all, std::sqrt(rest / all)};
+  }
+};
+
+// --- A column of thick liquid, 0.1 × 0.1 × 1, that leans a little
+
+inline constexpr double kThin = 0.1;  // its width
+
+struct ThickColumn {
+  Run run;
+
+  static Run started(double cell, double viscosity, double lean) {
+    FluidOptions options;
+    options.cell_size = cell;
+    options.density = 1;
+    options.gravity = {0, -1, 0};
+    options.viscosity = viscosity;
+    options.volume_control.emplace();
+    options.solids = {container({-1, 0, -1}, {1, 2, 1})};
+    Triangles column = block({-kThin / 2, 0, -kThin / 2}, {kThin / 2, 1, kThin / 2}, 0.9 * cell);
+    for (Point& p : column.positions) p[0] += lean * p[1];
+    return {column, cell, options, at_rest, kPerFrame};
+  }
+  explicit ThickColumn(double cell, double viscosity = 0.1, double lean = 0.03)
+      : run(started(cell, viscosity, lean)) {}
+
+  double height() {
+    double most = 0;
+    for (const Point& p : run.points()) most = std::max(most, p[1]);
+    return most;
+  }
+  /// How far the middle of a slice, two hundredths high, is from the foot's.
+  double aside() {
+    std::vector<std::pair<double, int>> slices(100, {0, 0});
+    for (const Point& p : run.points()) {
+      auto& [sum, count] = slices[std::clamp(static_cast<int>(p[1] / 0.02), 0, 99)];
+      sum += p[0];
+      ++count;
+    }
+    double most = 0;
+    for (const auto& [sum, count] : slices)
+      if (count > 0) most = std::max(most, std::abs(sum / count));
+    return most;
+  }
+};
+
+}  // namespace suture
