@@ -7,7 +7,7 @@
 namespace suture {
 namespace {
 
-constexpr double kBend = 0.05;
+constexpr double kBend = 0.01;  // so little that what is of second order in it does not count
 
 /// The share of the second Legendre polynomial about z in r/R, by solid angles.
 double bend(const Triangles& s, double radius) {

@@ -124,9 +124,9 @@ inline Run twisted_ball(int cells, double size, FluidOptions options,
 /// whole, which nothing stops.
 inline std::pair<double, double> lasting_strain(int cells, double size, double yield_strain) {
   constexpr double kOfTwist = kFree * 0.30675 / std::numbers::sqrt2;  // k·max j₂/√2
-  constexpr int kSteps = 100;
+  constexpr int kSteps = 60;
   FluidOptions options;
-  options.viscosity = 0.05;
+  options.viscosity = 0.1;
   options.viscoelasticity = ElasticOptions{.modulus = 1, .yield_strain = yield_strain};
   Run run = twisted_ball(cells, size, options);
   const double dt = 0.5 / cells;
@@ -195,45 +195,48 @@ struct Vortex {
   }
 };
 
-// --- A column of thick liquid, 0.1 × 0.1 × 1, that leans a little
+// --- A column of thick liquid, 0.1 × 0.1 × 1, that a plate presses on a floor
 
-inline constexpr double kThin = 0.1;  // its width
-
-struct ThickColumn {
+struct PressedColumn {
+  static constexpr double kWidth = 0.1, kBend = 0.004;  ///< kBend: of its middle, to begin with
+  static constexpr double kSpeed = 0.1;                 ///< of the plate: it is slow as honey
   Run run;
 
-  static Run started(double cell, double viscosity, double lean) {
+  static Run started(double cell) {
     FluidOptions options;
     options.cell_size = cell;
     options.density = 1;
-    options.gravity = {0, -1, 0};
-    options.viscosity = viscosity;
+    options.viscosity = 100;
     options.volume_control.emplace();
-    options.solids = {container({-1, 0, -1}, {1, 2, 1})};
-    Triangles column = block({-kThin / 2, 0, -kThin / 2}, {kThin / 2, 1, kThin / 2}, 0.9 * cell);
-    for (Point& p : column.positions) p[0] += lean * p[1];
+    SolidOptions plate;
+    plate.kind = SolidKind::box;
+    plate.box = {{-1, 1, -1}, {1, 1.5, 1}};
+    plate.motion.velocity = {0, -kSpeed, 0};
+    options.solids = {container({-1, 0, -1}, {1, 2, 1}), plate};
+    const double side = kWidth / 2;
+    Triangles column = block({-side, 0, -side}, {side, 1, side}, 0.9 * cell);
+    for (Point& p : column.positions)
+      p[0] += kBend * (1 - std::cos(2 * std::numbers::pi * p[1])) / 2;
     return {column, cell, options, at_rest, kPerFrame};
   }
-  explicit ThickColumn(double cell, double viscosity = 0.1, double lean = 0.03)
-      : run(started(cell, viscosity, lean)) {}
+  explicit PressedColumn(double cell) : run(started(cell)) {}
 
-  double height() {
-    double most = 0;
-    for (const Point& p : run.points()) most = std::max(most, p[1]);
-    return most;
-  }
-  /// How far the middle of a slice, two hundredths high, is from the foot's.
+  double height() const { return 1 - kSpeed * run.fluid.time(); }
+  /// Of the middle's slice, a cell or two high.
   double aside() {
-    std::vector<std::pair<double, int>> slices(100, {0, 0});
+    double least = 1, most = -1;
     for (const Point& p : run.points()) {
-      auto& [sum, count] = slices[std::clamp(static_cast<int>(p[1] / 0.02), 0, 99)];
-      sum += p[0];
-      ++count;
+      if (std::abs(p[1] - height() / 2) > 0.02) continue;
+      least = std::min(least, p[0]);
+      most = std::max(most, p[0]);
     }
-    double most = 0;
-    for (const auto& [sum, count] : slices)
-      if (count > 0) most = std::max(most, std::abs(sum / count));
-    return most;
+    return (least + most) / 2;
+  }
+  /// What Euler's column between clamps makes of kBend, where viscosity stands for elasticity and
+  /// shortening for time: d(ln aside) is 12/(2π)²·(height/width)² of d(ln height).
+  double slender() const {
+    const double per = 3 / (std::numbers::pi * std::numbers::pi * kWidth * kWidth);
+    return kBend * std::exp(per * (1 - std::pow(height(), 3)) / 3);
   }
 };
 
