@@ -17,4 +17,12 @@ void constrain(MacVelocity& velocity, const SolidFaces& faces, const Solids& sol
 Point kept_out(const Solids& solids, const Point& p, const Point& v, double t, double dt,
                double length);
 
+/// The same for the points of a body that moves as one.
+struct KeptBody {
+  Point velocity;
+  bool squeezed = false;  ///< there is no way for all its points: with this some are in a solid
+};
+KeptBody kept_out(const Solids& solids, const std::vector<Point>& body, const Point& v, double t,
+                  double dt, double length);
+
 }  // namespace suture
