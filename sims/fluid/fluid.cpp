@@ -208,6 +208,7 @@ void Fluid::State::bring_forward(SurfaceTracker& surface, double dt) {
   effects->flowed(step);
   if (solids.any()) costs.timed("solids", [&] { constrain(velocity, faces, solids, then); });
   require_finite(velocity);
+  last.tension_share = effects->tension_share();
   last.cells = grid->size();
   last.liquid = static_cast<std::size_t>(std::count_if(
       liquid.distance.begin(), liquid.distance.end(), [](double d) { return d < 0; }));
