@@ -179,7 +179,8 @@ Fluid::~Fluid() = default;
 int Fluid::steps_in(double left) const {
   const State& s = *state_;
   const FluidOptions& o = s.options;
-  const double speed = s.started() ? largest_component(s.velocity) : 0;
+  const double speed =
+      std::max(s.started() ? largest_component(s.velocity) : 0, s.solids.fastest());
   // What falls with g from this speed crosses cfl cells in the root of g t² + speed t = cfl h.
   const double reach = o.cfl * o.cell_size, g = s.fall(1);
   const double longest = std::min(2 * reach / (speed + std::sqrt(speed * speed + 4 * g * reach)),

@@ -67,7 +67,7 @@ Point kept_out(const Solids& solids, const Point& p, const Point& v, double t, d
   const double way = (v.norm() + solids.fastest()) * dt;
   if (solids.distance(p, t) > way) return v;
   const int parts = parts_of(way, length);
-  Point q = p;
+  Point q = p, before = p;
   bool pushed = false;
   for (int part = 1; part <= parts; ++part) {
     q += v * (dt / parts);
@@ -75,11 +75,16 @@ Point kept_out(const Solids& solids, const Point& p, const Point& v, double t, d
     for (int n = 0; n < kMostPushes; ++n) {
       const double d = solids.distance(q, now);
       if (d >= 0) break;
+      before = q;
       q -= d * solids.normal(q, now, kNormalStep * length);
       pushed = true;
     }
   }
-  return pushed ? Point((q - p) / dt) : v;
+  if (!pushed) return v;
+  // Solids that leave no room push it from one's side to the other's: all such points meet in the
+  // middle, and what was between the solids is squeezed to nothing.
+  if (solids.distance(q, t + dt) < -kNormalStep * length) q = (q + before) / 2;
+  return (q - p) / dt;
 }
 
 KeptBody kept_out(const Solids& solids, const std::vector<Point>& body, const Point& v, double t,
