@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 """The plots of papers/results/fluid_validation.csv, drawn by gnuplot from a script that stays beside them in
-out/fluid: the dam's front with the experiment's points, how drops swing, how shear decays."""
+out/fluid: a panel for each thing that the fluid is measured against. validation.md says what they show."""
 
 import csv
 import math
@@ -13,88 +13,279 @@ from references import martin_moyce  # noqa: E402
 
 HERE = pathlib.Path(__file__).resolve().parent
 ROOT = HERE.parent.parent
-COLOURS = ("#c44e2f", "#1f6fb4", "#2a8c4a", "#8a5bb0", "#e39a6f")
-STYLE = """set terminal pngcairo size 1650,600 font 'DejaVu Sans,11' background '#fbfbfc'
+COLOURS = ("#c44e2f", "#1f6fb4", "#2a8c4a", "#8a5bb0", "#b8860b", "#3aa6a6", "#a03060", "#606068")
+EXACT = "lw 2 dt 2 lc rgb '#202028'"
+STYLE = """set terminal pngcairo size 2000,1840 font 'DejaVu Sans,11' background '#fbfbfc'
 set grid lc rgb '#d8d8dd'
 set border lc rgb '#606068'
-set key outside below center horizontal maxcols 2 font ',9'
+set tmargin 2.5
+set bmargin 8.5
+set lmargin 10
+set rmargin 2
 """
+RESET = """unset logscale
+set xrange [*:*]
+set yrange [*:*]
+set format '%g'
+set xtics auto
+set key at screen 0,0 noopaque
+set key outside below center horizontal maxcols 2 samplen 2 spacing 0.95 width -1 font ',9'
+"""
+POWERS = "set format x '10^{%L}'\nset format y '10^{%L}'\n"
 
 
-def rows_of(path):
-    with open(path, newline="") as text:
-        return list(csv.DictReader(text))
+class Rows:
+    """The file's rows: case, resolution, time, measured, exact, error."""
+
+    def __init__(self, path):
+        with open(path, newline="") as text:
+            self.all = [{k: v if k == "case" else float(v) for k, v in r.items()} for r in csv.DictReader(text)]
+
+    def of(self, case):
+        return [r for r in self.all if r["case"] == case]
+
+    def lines(self, case, x="time", y="measured"):
+        """By resolution: the points (x, y)."""
+        lines = {}
+        for r in self.of(case):
+            lines.setdefault(r["resolution"], []).append((r[x], r[y]))
+        return sorted(lines.items())
+
+    def line(self, case, x="resolution", y="error"):
+        return [(r[x], r[y]) for r in self.of(case)]
 
 
-def lines_of(rows, case):
-    """By resolution: time, measured, exact."""
-    lines = {}
-    for r in rows:
-        if r["case"] == case:
-            lines.setdefault(float(r["resolution"]), []).append(
-                (float(r["time"]), float(r["measured"]), float(r["exact"])))
-    return sorted(lines.items())
+class Panel:
+    count = 0
+
+    def __init__(self, title, x, y, extra=""):
+        self.head = f"set title '{title}'\nset xlabel '{x}'\nset ylabel '{y}'\n{extra}"
+        self.blocks, self.plots, self.used = "", [], 0
+        Panel.count += 1
+        self.name = f"p{Panel.count}"
+
+    def points(self, points, title, style="linespoints", colour=None, mark=7, size=0.6, dash=1):
+        if not points:
+            return
+        colour = COLOURS[self.used % len(COLOURS)] if colour is None else colour
+        self.used += 1
+        name = f"{self.name}_{len(self.plots)}"
+        self.blocks += f"${name} << END\n" + "".join(" ".join(f"{v:.8g}" for v in p) + "\n" for p in points) + "END\n"
+        dots = f"pt {mark} ps {size} " if "points" in style else ""
+        dashes = f"dt {dash} " if "lines" in style else ""
+        self.plots.append(f"${name} with {style} {dots}{dashes}lw 1.8 lc rgb '{colour}' "
+                          + (f"title '{title}'" if title else "notitle"))
+
+    def formula(self, text, title, style=EXACT):
+        self.plots.append(f"{text} with lines {style} " + (f"title '{title}'" if title else "notitle"))
+
+    def script(self):
+        return RESET + self.head + "plot " + ", \\\n  ".join(self.plots) + "\n"
 
 
-def block(name, line):
-    return f"${name} << END\n" + "".join(" ".join(f"{x:.8g}" for x in point) + "\n" for point in line) + "END\n"
+def sizes(points):
+    return [(x, abs(y)) for x, y in points if y != 0]
 
 
-def value(rows, case, resolution, column):
-    return next((float(r[column]) for r in rows if r["case"] == case and float(r["resolution"]) == resolution), math.nan)
+def order(points):
+    """Between the two finest."""
+    (a, x), (b, y) = sorted(sizes(points))[-2:]
+    return math.log(x / y) / math.log(b / a)
 
 
-def panel(title, x, y, plots, extra=""):
-    return f"set title '{title}'\nset xlabel '{x}'\nset ylabel '{y}'\n{extra}plot " + ", \\\n  ".join(plots) + "\n"
+def with_order(name, points):
+    return f"{name}: order {order(points):.1f}" if len(points) > 1 else name
 
 
-def dam(rows):
-    blocks, plots = "", []
+def percent(x):
+    return f"{100 * x:+.1f} %".replace("-", "−")
+
+
+def still(rows):
+    panel = Panel("Still water", "step", "largest velocity over √(gh)",
+                  "set logscale y\nset format y '10^{%L}'\nset yrange [1e-18:1e-3]\n")
+    for tolerance, line in reversed(rows.lines("still_velocity")):
+        panel.points([(x, y) for x, y in line if y > 0], f"tolerance 10^{{−{-round(math.log10(tolerance))}}}", size=0.3)
+    panel.formula("1e-6", "bound")
+    return panel
+
+
+def projection(rows):
+    panel = Panel("What a projection leaves", "solver''s tolerance", "largest divergence over that before",
+                  "set logscale xy\nset xrange [1e-13:1e-1]\n" + POWERS)
+    for cells, line in rows.lines("projection_divergence"):
+        panel.points(line, f"{cells:g} cells a radius", style="points", size=1.1)
+    panel.formula("x", "the tolerance")
+    return panel
+
+
+def cells_panel(rows):
+    panel = Panel("Orders in the size of cells", "cells a side, or a radius", "relative error",
+                  "set logscale xy\nset xrange [4.5:90]\nset yrange [1e-3:1]\nset xtics (6, 8, 12, 16, 24, 32, 64)\n"
+                  "set format y '10^{%L}'\nset key maxcols 1\n")
+    for case, name in (("vortex_error", "vortex, inviscid, half a cell a step"), ("vortex_slow_rate", "its decay, slow flow"),
+                       ("vortex_rate", "its decay, νT = 0.1"), ("translation_velocity", "twist of a ball that flies")):
+        line = rows.line(case)
+        panel.points(sizes(line), with_order(name, line))
+    return panel
+
+
+def steps_panel(rows):
+    panel = Panel("Orders in the step, 32 cells a side", "steps", "relative error",
+                  "set logscale xy\nset xrange [1.6:160]\nset xtics (2, 4, 8, 16, 32, 64, 128)\n"
+                  "set format y '10^{%L}'\nset key maxcols 1\n")
+    for case, name in (("vortex_steps", "vortex to a time of 1, from the exact"),
+                       ("vortex_steps_limit", "from that of 256 steps"),
+                       ("vortex_slow_rate_steps", "viscous decay, slow flow")):
+        line = rows.line(case)
+        panel.points(sizes(line), with_order(name, line))
+    return panel
+
+
+def dam_front(rows):
+    panel = Panel("The front of a column of water", "T = n·t·√(g/a)", "Z = x/a", "set yrange [1:6.5]\n")
     for n2, mark in ((1, 6), (2, 4)):
-        name = f"experiment{n2}"
-        blocks += block(name, list(zip(*martin_moyce(n2, "Z"))))
-        plots.append(f"${name} with points pt {mark} ps 1.4 lw 1.5 lc rgb '#404048' title "
-                     f"'Martin and Moyce, n² = {n2}'")
-        for i, (cells, line) in enumerate(lines_of(rows, f"dam.{n2}")):
-            name = f"dam{n2}_{i}"
-            blocks += block(name, line)
-            plots.append(f"${name} with lines lw 2 dt {3 - n2} lc rgb '{COLOURS[i]}' title "
-                         f"'n² = {n2}, {cells:g} cells a width'")
-    return blocks, panel("The front of a column of water", "T = n·t·√(g/a)", "Z = x/a", plots,
-                         "set key inside top left vertical maxcols 1\n")
+        panel.points(list(zip(*martin_moyce(n2, "Z"))), f"Martin and Moyce, n² = {n2}", style="points",
+                     colour="#202028", mark=mark, size=1)
+        panel.used = 0
+        for cells, line in rows.lines(f"dam.{n2}"):
+            panel.points(line, f"n² = {n2}, {cells:g} cells a width", style="lines", dash=3 - n2)
+        panel.used = 0
+    return panel
+
+
+def dam_height(rows):
+    panel = Panel("The height that is left at the wall", "τ = t·√(g/a)", "H = height/(n²a)",
+                  "set xrange [0:4.5]\nset yrange [0:1]\n")
+    for n2, mark in ((1, 6), (2, 4)):
+        panel.points([p for p in zip(*martin_moyce(n2, "H")) if p[0] < 4.5], f"Martin and Moyce, n² = {n2}", style="points",
+                     colour="#202028", mark=mark, size=1)
+        panel.used = 0
+        for cells, line in rows.lines(f"dam_height.{n2}"):
+            panel.points(line, f"n² = {n2}, {cells:g} cells a width", style="lines", dash=3 - n2)
+        panel.used = 0
+    return panel
+
+
+CAUSES = (("none", "as it is"), ("film", "half a cell thick"), ("uncontrolled", "no volume control"),
+          ("short_steps", "a quarter of the step"), ("semi_lagrangian", "semi-Lagrangian"), ("tension", "tension of water"),
+          ("water", "sticks, ν of water"), ("rubs_3e-4", "sticks, 13 times that"))
+
+
+def dam_causes(rows):
+    panel = Panel("Why the front is ahead, n² = 1, 16 cells", "Z of the experiment", "Z over the experiment''s",
+                  "set yrange [0.95:1.3]\n")
+    for case, name in CAUSES:
+        panel.points([(r["exact"], r["measured"] / r["exact"]) for r in rows.of(f"cause_{case}.1")], name, style="lines")
+    panel.formula("1", "", EXACT)
+    return panel
 
 
 def drop(rows):
-    blocks, plots = "", ["cos(2*pi*x) with lines lw 1.5 dt 2 lc rgb '#404048' title 'Lamb'"]
-    for i, (radius, line) in enumerate(lines_of(rows, "drop_bend")):
-        blocks += block(f"drop{i}", line)
-        error = value(rows, "drop_period", radius, "error")
-        plots.append(f"$drop{i} with linespoints pt 7 ps 0.5 lw 2 lc rgb '{COLOURS[i]}' title "
-                     f"'{radius:g} cells a radius" + ("'" if math.isnan(error) else f": period {100 * error:+.1f} %'"))
-    return blocks, panel("The second mode of a drop", "time over Lamb''s period", "amplitude", plots,
-                         "set key outside below horizontal maxcols 2\n")
+    panel = Panel("The second mode of a drop", "time over Lamb''s period", "amplitude",
+                  "set xrange [0:0.85]\nset yrange [-1.1:1.1]\n")
+    panel.formula("cos(2*pi*x)", "Lamb 1932")
+    lines = rows.lines("drop_bend") + rows.lines("fine_drop_bend")
+    for radius, line in lines:
+        panel.points(line, f"{radius:g} cells a radius", style="lines")
+    return panel
+
+
+def drop_period(rows):
+    panel = Panel("Its period", "cells a radius", "relative error",
+                  "set logscale xy\nset xrange [3.5:36]\nset yrange [1e-3:1]\nset xtics (4, 6, 8, 12, 16, 32)\n"
+                  "set format y '10^{%L}'\n")
+    quarter = rows.line("drop_quarter") + rows.line("fine_drop_quarter")
+    panel.points(sizes(quarter), "four times its first quarter", size=1)
+    panel.points(sizes(rows.line("drop_period")), "twice from zero to zero", size=1)
+    panel.points(sizes(rows.line("drop_turned")), "amplitude lost in half", size=1)
+    panel.formula("0.03", "3 %")
+    return panel
+
+
+def currents(rows):
+    panel = Panel("Currents round a drop at rest", "cells a radius", "velocity over √(σ/(ρR))",
+                  "set logscale xy\nset xrange [3.5:18]\nset xtics (4, 6, 8, 12, 16)\nset format y '10^{%L}'\n")
+    panel.points(sizes(rows.line("currents_most")), "largest in half a period", size=1)
+    panel.points(sizes(rows.line("currents_end")), "at its end", size=1)
+    return panel
 
 
 def shear(rows):
-    blocks, plots = "", ["exp(-x) with lines lw 1.5 dt 2 lc rgb '#404048' title 'exact'"]
-    for i, (cells, line) in enumerate(lines_of(rows, "shear_amplitude")):
-        start, whole, _ = line[0]  # of which interpolation takes a part that is the same ever after
-        blocks += block(f"shear{i}", [(time - start, measured / whole) for time, measured, _ in line])
-        error = value(rows, "shear_rate", cells, "error")
-        plots.append(f"$shear{i} with linespoints pt 7 ps 0.8 lw 2 lc rgb '{COLOURS[i]}' title "
-                     f"'{cells:g} cells a radius: rate {100 * error:+.1f} %'")
-    return blocks, panel("A twisted ball slows by viscosity", "time × νk²", "amplitude", plots,
-                         "set xrange [0:0.85]\n")
+    panel = Panel("A twisted ball slows by viscosity", "time × νk²", "amplitude", "set xrange [0:0.85]\n")
+    panel.formula("exp(-x)", "exact")
+    for cells, line in rows.lines("shear_amplitude"):
+        error = next(r["error"] for r in rows.of("shear_rate") if r["resolution"] == cells)
+        panel.points(line, f"{cells:g} cells a radius: rate {percent(error)}")
+    return panel
+
+
+def elastic(rows):
+    panel = Panel("A twisted elastic ball swings", "modulus × (time/radius)²/ρ", "period over exact",
+                  "set logscale x\nset format x '10^{%L}'\nset yrange [0.98:1.02]\nset xrange [1e-3:1e7]\n")
+    panel.formula("1", "exact")
+    panel.points([(r["resolution"], r["error"] + 1) for r in rows.of("elastic_modulus")], "6 cells a radius", size=1)
+    for r in rows.of("elastic_period"):
+        if r["resolution"] > 6:
+            panel.points([(1, r["error"] + 1)], f"{r['resolution']:g} cells: {percent(r['error'])}", style="points", size=1.2)
+    return panel
+
+
+def yielding(rows):
+    panel = Panel("What yields stays", "largest strain on the way over yield''s", "strain left over yield''s",
+                  "set logscale xy\nset xrange [0.2:20]\nset yrange [1e-3:20]\n")
+    panel.formula("x > 1 ? x - 1 : 1/0", "all that is beyond yield")
+    for n, (strain, line) in enumerate(rows.lines("yield_left")):
+        panel.points(sizes(line), f"yields at {strain:g}", size=1.4 - 0.4 * n, mark=(6, 4, 7)[n % 3])
+    return panel
+
+
+def slosh(rows):
+    panel = Panel("A tank sloshes, 16 cells wide", "time × √(g/width)", "volume over that at first", "set yrange [0.5:1.1]\n")
+    scale = math.sqrt(10)
+    for case, name in (("free", "without volume control"), ("controlled", "with it")):
+        line = [(r["time"] * scale, r["measured"] / r["exact"]) for r in rows.of(f"slosh_{case}")]
+        panel.points(line, name, size=0.3)
+    panel.formula("1", "")
+    return panel
+
+
+def meeting(rows):
+    panel = Panel("Two drops meet, 12 cells a radius", "time × speed/radius", "over what it was at first",
+                  "set yrange [0.8:1.05]\n")
+    size = math.hypot(*(r["exact"] for c in "xyz" for r in rows.of(f"meeting_momentum_{c}_controlled")[:1]))
+    for case, name in (("volume", "volume"), ("energy", "kinetic energy")):
+        lines = dict(rows.lines(f"meeting_{case}_controlled", y="error"))
+        panel.points([(t, 1 + e) for t, e in lines.get(12, [])], name, size=0.4)
+    for c in "xyz":
+        panel.points([(r["time"], 1 + (r["measured"] - r["exact"]) / size)
+                      for r in rows.of(f"meeting_momentum_{c}_controlled") if r["resolution"] == 12],
+                     f"1 + error of momentum {c}", size=0.4)
+    panel.formula("1", "")
+    return panel
+
+
+def buckling(rows):
+    panel = Panel("A thick column under a plate", "shortening over length", "deflection over width",
+                  "set logscale y\nset yrange [0.03:10]\n")
+    for cells, line in rows.lines("buckling_aside"):
+        panel.points(line, f"{cells / 10:g} cells a width", style="lines")
+    panel.points(rows.lines("buckling_aside", y="exact")[0][1], "Euler, slender and slight", style="lines", colour="#202028",
+                 dash=2)
+    return panel
+
+
+PANELS = (still, projection, cells_panel, steps_panel, dam_front, dam_height, dam_causes, shear, drop, drop_period,
+          currents, elastic, yielding, slosh, meeting, buckling)
 
 
 def main():
-    rows = rows_of(ROOT / "papers/results/fluid_validation.csv")
+    rows = Rows(ROOT / "papers/results/fluid_validation.csv")
     folder = ROOT / "out/fluid"
     folder.mkdir(parents=True, exist_ok=True)
-    parts = [make(rows) for make in (dam, drop, shear)]
-    picture = HERE / "validation.png"
-    script = STYLE + f"set output '{picture}'\n" + "".join(blocks for blocks, _ in parts)
-    script += "set multiplot layout 1,3\n" + "".join(plot for _, plot in parts) + "unset multiplot\n"
+    panels = [make(rows) for make in PANELS]
+    script = STYLE + f"set output '{HERE / 'validation.png'}'\n" + "".join(p.blocks for p in panels)
+    script += "set multiplot layout 4,4\n" + "".join(p.script() for p in panels) + "unset multiplot\n"
     (folder / "validation.gp").write_text(script)
     subprocess.run(["gnuplot", "validation.gp"], cwd=folder, check=True)
 

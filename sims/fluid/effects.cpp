@@ -29,6 +29,7 @@ struct Effects::State {
   Strain strain;                        ///< empty where the scene names no elasticity
   std::optional<VolumeControl> volume;  ///< from the first step on, if the scene names it
   std::array<std::vector<double>, 3> jump;
+  double tension_share = 1;
   std::optional<SurfaceVelocity> ripples;  ///< with surface tension
   std::vector<double> divergence;
 
@@ -37,7 +38,7 @@ struct Effects::State {
 };
 
 Effects::Effects(const FluidOptions& options, ModuleCosts& costs)
-    : state_(new State{options, costs, {}, {}, {}, {}, {}, {}}) {
+    : state_(new State{options, costs, {}, {}, {}, {}, 1, {}, {}}) {
   if (options.viscoelasticity) state_->elastic = *options.viscoelasticity;
   state_->elastic.density = options.density;
 }
@@ -93,21 +94,24 @@ void Effects::flowed(const StepState& step) {
 const std::array<std::vector<double>, 3>* Effects::jump(const StepState& step) {
   State& s = *state_;
   if (!s.options.surface_tension) return nullptr;
-  const double h = s.options.cell_size;
+  const double h = s.options.cell_size, all = *s.options.surface_tension;
+  s.tension_share = stable_share(step.dt, h, s.options.density, all);
+  const double tension = s.tension_share * all;
   s.costs.timed("surface_tension", [&] {
     const std::vector<std::uint8_t> flags = lies_on_solid(step, h);
     CurvatureOptions curvature;
     if (!flags.empty()) curvature.on_solid = &flags;
     s.jump = tension_jump(step.surface, NearestTriangle(step.surface),
-                          mean_curvature(step.surface, h, curvature), step.liquid,
-                          *s.options.surface_tension);
-    s.ripples.emplace(step.surface, ripple_velocity(step.surface, h, s.options.density,
-                                                    *s.options.surface_tension, curvature));
+                          mean_curvature(step.surface, h, curvature), step.liquid, tension);
+    s.ripples.emplace(step.surface,
+                      ripple_velocity(step.surface, h, s.options.density, tension, curvature));
   });
   s.costs.holds("surface_tension", 3 * s.jump[0].size() * sizeof(double) + s.ripples->memory() +
                                        step.surface.positions.size() * sizeof(double));
   return &s.jump;
 }
+
+double Effects::tension_share() const { return state_->tension_share; }
 
 const std::vector<double>* Effects::divergence(const StepState& step) {
   State& s = *state_;

@@ -47,6 +47,8 @@ class Effects {
   /// volume back. Null where there is none; holds until the next call.
   const std::array<std::vector<double>, 3>* jump(const StepState& step);
   const std::vector<double>* divergence(const StepState& step);
+  /// What of the surface tension the last jump has, less than 1 where dt was too long for it.
+  double tension_share() const;
 
   /// What the surface does of itself at p near it, beside what flows there.
   Point of_surface(const Point& p) const;

@@ -3,12 +3,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 #include "kernel/errors.h"
 #include "sims/fluid/effects.h"
 #include "sims/fluid/pressure.h"
 #include "sims/fluid/slip.h"
+#include "sims/fluid/small_drops.h"
 
 namespace suture {
 namespace {
@@ -78,6 +80,8 @@ struct Fluid::State {
   Solids solids;
   std::unique_ptr<SparseGrid> grid;  ///< what velocity and liquid are on
   Liquid liquid;
+  std::vector<Drop> drops;
+  std::optional<DropsAtSolids> at_solids;  ///< of this step
   SolidFaces faces;
   MacVelocity velocity;
   double time = 0, last_dt = 0;
@@ -92,6 +96,12 @@ struct Fluid::State {
   void carry(SurfaceTracker& surface, double dt);
   void make_incompressible(const StepState& step);
   void bring_forward(SurfaceTracker& surface, double dt);
+  /// Vertices are kept out of solids; a level set moves there too, along them, or the air behind a
+  /// wall would be pulled into the liquid.
+  bool keeps_out(const SurfaceTracker& surface) const {
+    return solids.any() && surface.keeps_triangles();
+  }
+  void advect(SurfaceTracker& surface, const VelocityField& field, double dt);
   void move(SurfaceTracker& surface, double dt);
 };
 
@@ -112,7 +122,8 @@ void Fluid::State::carry(SurfaceTracker& surface, double dt) {
         find_liquid(surface.surface(), distance, options.origin, options.cell_size);
     auto next = std::make_unique<SparseGrid>(grid_round(cells, band(dt)));
     liquid = liquid_on(*next, cells, surface.surface(), solids, time);
-    last.drops = cells.drop_count;
+    drops = cells.drops;
+    last.drops = drops.size();
     old = std::exchange(grid, std::move(next));
   });
   if (old) effects->carry(velocity, liquid, last_dt);
@@ -134,17 +145,23 @@ void Fluid::State::make_incompressible(const StepState& step) {
   costs.holds("pressure", grid->size() * (6 * sizeof(double) + 1));
 }
 
+void Fluid::State::advect(SurfaceTracker& surface, const VelocityField& field, double dt) {
+  surface.advect(field, dt);
+  if (!at_solids || !at_solids->any()) return;
+  std::vector<Point> positions = surface.surface().positions;
+  at_solids->put(positions);
+  surface.displace(std::move(positions));
+}
+
 void Fluid::State::move(SurfaceTracker& surface, double dt) {
   const double h = options.cell_size;
-  // Vertices are kept out of solids; a level set moves there too, along them, or the air behind a
-  // wall would be pulled into the liquid.
-  const bool keeps_out = solids.any() && surface.keeps_triangles();
+  const bool keeps = keeps_out(surface);
   const VelocityField field = [&](const Point& p, double) {
     const Point v = velocity.at(p) + effects->of_surface(p);
-    return keeps_out ? kept_out(solids, p, v, time, dt, h) : v;
+    return keeps ? kept_out(solids, p, v, time, dt, h) : v;
   };
   effects->moving(
-      surface, [&] { costs.timed("surface", [&] { surface.advect(field, dt); }); },
+      surface, [&] { costs.timed("surface", [&] { advect(surface, field, dt); }); },
       [&](const Point& p) -> Point { return p + dt * field(p + 0.5 * dt * field(p, 0), 0); });
 }
 
@@ -162,7 +179,8 @@ Fluid::~Fluid() = default;
 int Fluid::steps_in(double left) const {
   const State& s = *state_;
   const FluidOptions& o = s.options;
-  const double speed = s.started() ? largest_component(s.velocity) : 0;
+  const double speed =
+      std::max(s.started() ? largest_component(s.velocity) : 0, s.solids.fastest());
   // What falls with g from this speed crosses cfl cells in the root of g t² + speed t = cfl h.
   const double reach = o.cfl * o.cell_size, g = s.fall(1);
   const double longest = std::min(2 * reach / (speed + std::sqrt(speed * speed + 4 * g * reach)),
@@ -183,11 +201,15 @@ void Fluid::State::bring_forward(SurfaceTracker& surface, double dt) {
   StepState step{velocity, liquid, faces, solids, surface.surface(), time, by};
   effects->stress(step);
   make_incompressible(step);
+  if (!drops.empty() && keeps_out(surface))
+    costs.timed("solids",
+                [&] { at_solids.emplace(drops, surface.surface(), solids, time, dt, velocity); });
   costs.timed("extrapolation", [&] { extrapolate(velocity, band(dt)); });
   step.dt = dt;
   effects->flowed(step);
   if (solids.any()) costs.timed("solids", [&] { constrain(velocity, faces, solids, then); });
   require_finite(velocity);
+  last.tension_share = effects->tension_share();
   last.cells = grid->size();
   last.liquid = static_cast<std::size_t>(std::count_if(
       liquid.distance.begin(), liquid.distance.end(), [](double d) { return d < 0; }));
@@ -197,6 +219,7 @@ void Fluid::State::bring_forward(SurfaceTracker& surface, double dt) {
 void Fluid::step(SurfaceTracker& surface, double dt) {
   State& s = *state_;
   if (!(dt > 0) || !std::isfinite(dt)) throw InvalidInput("fluid: a step must be above 0 long");
+  s.at_solids.reset();
   if (!surface.surface().triangles.empty()) s.bring_forward(surface, dt);
   s.move(surface, dt);
   s.since_surgery += s.last.cfl;

@@ -21,6 +21,8 @@ struct FluidStep {
   std::size_t liquid = 0;  ///< of these
   std::size_t drops = 0;   ///< bodies of liquid without a cell centre
   double residual = 0;     ///< of the projection, as SolveReport's
+  /// What of the surface tension acts: less than 1 where the step is longer than its waves allow.
+  double tension_share = 1;
 };
 
 /// Incompressible liquid under a free surface [Bridson 2015]. The surface is whoever's tracks it;

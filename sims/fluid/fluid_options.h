@@ -17,9 +17,11 @@ struct FluidOptions {
   Point origin = Point::Zero();
   double density = 1000;
   Point gravity = Point::Zero();
-  /// Cells that the fastest liquid may cross in a step; frames are cut into equal steps.
+  /// Cells that the fastest liquid or solid may cross in a step; frames are cut into equal steps.
   double cfl = 2;
-  int most_steps = 1000;  ///< of a frame; what would take more is run with a larger CFL number
+  /// Of a frame; what would take more is run with a larger CFL number, and with no more surface
+  /// tension than such steps hold stable (stable_share).
+  int most_steps = 1000;
   /// Topology is handled at the end of frames [§7], and within one once the fastest liquid may have
   /// crossed so many cells since: between surgeries the surface is markers, which longer ways fold
   /// into sheets through one another, and these are lost. Infinite: at the end of frames only.

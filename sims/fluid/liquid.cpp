@@ -56,6 +56,12 @@ void visit_cells(const CellRange& range, Visit visit) {
       for (int z = range.low[2]; z <= range.high[2]; ++z) visit(Index3{x, y, z});
 }
 
+template <class T>
+void make_set(std::vector<T>& items) {
+  std::sort(items.begin(), items.end());
+  items.erase(std::unique(items.begin(), items.end()), items.end());
+}
+
 /// Bodies of which no triangle has a cell inside next to it hold no cell's centre.
 void find_drops(const Triangles& surface, LiquidCells& cells) {
   const Components bodies = components(surface);
@@ -70,12 +76,23 @@ void find_drops(const Triangles& surface, LiquidCells& cells) {
       if (const Slot s = cells.grid.find(c); s != kNoSlot && cells.distance[s] < 0) held = 1;
     });
   }
-  cells.drop_count = static_cast<std::size_t>(std::count(holds.begin(), holds.end(), 0));
-  for (std::size_t t = 0; t < surface.triangles.size(); ++t)
-    if (holds[bodies.of_triangle[t]] == 0)
-      visit_cells(round(t, 0.5), [&](const Index3& c) { cells.drops.push_back(c); });
-  std::sort(cells.drops.begin(), cells.drops.end());
-  cells.drops.erase(std::unique(cells.drops.begin(), cells.drops.end()), cells.drops.end());
+  std::vector<std::uint32_t> number(bodies.count, kNone);
+  for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
+    const std::uint32_t body = bodies.of_triangle[t];
+    if (holds[body] != 0) continue;
+    if (number[body] == kNone) {
+      number[body] = static_cast<std::uint32_t>(cells.drops.size());
+      cells.drops.emplace_back();
+    }
+    Drop& drop = cells.drops[number[body]];
+    drop.vertices.insert(drop.vertices.end(), surface.triangles[t].begin(),
+                         surface.triangles[t].end());
+    visit_cells(round(t, 0.5), [&](const Index3& c) { drop.cells.push_back(c); });
+  }
+  for (Drop& drop : cells.drops) {
+    make_set(drop.vertices);
+    make_set(drop.cells);
+  }
 }
 
 /// D of the near cells: the first alone, as a tracker may prepare something then.
@@ -138,8 +155,10 @@ SparseGrid grid_round(const LiquidCells& cells, int band) {
   for (const LiquidCells::Run& run : cells.deep)
     for (int n = 0; n < run.count; n += kSide)
       blocks.push_back({run.first[0], run.first[1], run.first[2] + n});
-  const std::vector<Index3> drops = dilated(cells.drops, band);
-  blocks.insert(blocks.end(), drops.begin(), drops.end());
+  for (const Drop& drop : cells.drops) {
+    const std::vector<Index3> wide = dilated(drop.cells, band);
+    blocks.insert(blocks.end(), wide.begin(), wide.end());
+  }
   return {grid.origin(), grid.h(), blocks};
 }
 

@@ -23,6 +23,12 @@ struct FaceCrossing {
   double lowest, highest;
 };
 
+/// A body of liquid that holds no cell's centre, and so has no pressure.
+struct Drop {
+  std::vector<std::uint32_t> vertices;  ///< of the surface, sorted
+  std::vector<Index3> cells;            ///< that it is in, sorted
+};
+
 /// The liquid before the physics grid is there, by a grid of the blocks near its surface alone.
 struct LiquidCells {
   struct Run {  ///< of cells along the last axis
@@ -34,8 +40,7 @@ struct LiquidCells {
   std::vector<double> distance;                        ///< a slot each, as in Liquid
   std::vector<Run> deep;                               ///< the cells inside that are not near
   std::array<std::vector<FaceCrossing>, 3> crossings;  ///< by axis, sorted by face
-  std::vector<Index3> drops;   ///< the cells of bodies that hold no cell's centre
-  std::size_t drop_count = 0;  ///< such bodies
+  std::vector<Drop> drops;
 };
 
 /// Asks for D, on all threads, once a cell with a triangle within `near` cells, and fills between

@@ -155,9 +155,11 @@ Liquid liquid_on(const SparseGrid& grid, const LiquidCells& cells, const Triangl
   for (auto& along : liquid.crossings)
     std::sort(along.begin(), along.end(),
               [](const FaceCrossing& a, const FaceCrossing& b) { return a.face < b.face; });
-  for (const Index3& c : cells.drops)
-    if (const Slot s = grid.find(c); s != kNoSlot) liquid.drops.push_back(s);
+  for (const Drop& drop : cells.drops)
+    for (const Index3& c : drop.cells)
+      if (const Slot s = grid.find(c); s != kNoSlot) liquid.drops.push_back(s);
   std::sort(liquid.drops.begin(), liquid.drops.end());
+  liquid.drops.erase(std::unique(liquid.drops.begin(), liquid.drops.end()), liquid.drops.end());
   if (solids.any()) cross_planes(liquid, continue_into(liquid, near, surface, solids, t));
   return liquid;
 }

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <utility>
 
 namespace suture {
 namespace {
@@ -21,6 +23,11 @@ constexpr int kMostPushes = 4;
 /// The parts of a path: a vertex crosses at most half the scene's detail between two looks.
 constexpr double kParts = 2;
 constexpr int kMostParts = 64;
+
+int parts_of(double way, double length) {
+  return static_cast<int>(
+      std::clamp(std::ceil(kParts * way / length), 1.0, static_cast<double>(kMostParts)));
+}
 
 Point across(const Point& v, const Point& normal) { return normal * v.dot(normal); }
 
@@ -59,9 +66,8 @@ Point kept_out(const Solids& solids, const Point& p, const Point& v, double t, d
   if (!solids.any() || !(dt > 0)) return v;
   const double way = (v.norm() + solids.fastest()) * dt;
   if (solids.distance(p, t) > way) return v;
-  const int parts = static_cast<int>(
-      std::clamp(std::ceil(kParts * way / length), 1.0, static_cast<double>(kMostParts)));
-  Point q = p;
+  const int parts = parts_of(way, length);
+  Point q = p, before = p;
   bool pushed = false;
   for (int part = 1; part <= parts; ++part) {
     q += v * (dt / parts);
@@ -69,11 +75,42 @@ Point kept_out(const Solids& solids, const Point& p, const Point& v, double t, d
     for (int n = 0; n < kMostPushes; ++n) {
       const double d = solids.distance(q, now);
       if (d >= 0) break;
+      before = q;
       q -= d * solids.normal(q, now, kNormalStep * length);
       pushed = true;
     }
   }
-  return pushed ? Point((q - p) / dt) : v;
+  if (!pushed) return v;
+  // Solids that leave no room push it from one's side to the other's: all such points meet in the
+  // middle, and what was between the solids is squeezed to nothing.
+  if (solids.distance(q, t + dt) < -kNormalStep * length) q = (q + before) / 2;
+  return (q - p) / dt;
+}
+
+KeptBody kept_out(const Solids& solids, const std::vector<Point>& body, const Point& v, double t,
+                  double dt, double length) {
+  if (!solids.any() || !(dt > 0) || body.empty()) return {v};
+  const int parts = parts_of((v.norm() + solids.fastest()) * dt, length);
+  Point gone = Point::Zero();
+  const auto deepest = [&](double now) {
+    std::pair<double, Point> found{std::numeric_limits<double>::infinity(), body.front()};
+    for (const Point& p : body)
+      if (const double d = solids.distance(p + gone, now); d < found.first) found = {d, p + gone};
+    return found;
+  };
+  bool pushed = false;
+  for (int part = 1; part <= parts; ++part) {
+    gone += v * (dt / parts);
+    const double now = t + dt * part / parts;
+    for (int n = 0; n < kMostPushes; ++n) {
+      const auto [d, q] = deepest(now);
+      if (d >= 0) break;
+      gone -= d * solids.normal(q, now, kNormalStep * length);
+      pushed = true;
+    }
+  }
+  if (!pushed) return {v};
+  return {gone / dt, deepest(t + dt).first < -kNormalStep * length};
 }
 
 }  // namespace suture

@@ -35,6 +35,12 @@ double capillary_step(double h, double density, double tension) {
   return h * std::sqrt(density * h / (4 * std::numbers::pi * tension));
 }
 
+double stable_share(double dt, double h, double density, double tension) {
+  if (!(dt > 0)) throw InvalidInput("surface tension: a step must be above 0 long");
+  const double part = capillary_step(h, density, tension) / dt;
+  return part < 1 ? part * part : 1;
+}
+
 std::vector<Point> ripple_velocity(const Triangles& surface, double h, double density,
                                    double tension, CurvatureOptions options) {
   options.smoothing /= 2;

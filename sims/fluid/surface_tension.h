@@ -27,6 +27,11 @@ std::array<std::vector<double>, 3> tension_jump(const Triangles& surface,
 /// \throw InvalidInput unless h and density are finite and positive and tension is not negative
 double capillary_step(double h, double density, double tension);
 
+/// The share of the tension that a step dt holds stable: 1 up to the capillary step, and beyond it
+/// what makes dt that step. All of it would make waves that grow until the liquid is torn apart.
+/// \throw InvalidInput as capillary_step, or unless dt is positive
+double stable_share(double dt, double h, double density, double tension);
+
 /// × what ripples() gives, a capillary step. Without it an oscillating drop of five cells' radius
 /// in edges of a cell has its ripples grow in some ten periods until they are faster than the drop;
 /// with a tenth they go. In edges of 0.7 cells its swing loses 0.2 % more a period.

@@ -153,8 +153,13 @@ json to_json(const TrackerCost& cost) {
 }
 
 json to_json(const FluidStep& step) {
-  return {{"dt", step.dt},         {"cfl", step.cfl},     {"cells", step.cells},
-          {"liquid", step.liquid}, {"drops", step.drops}, {"residual", step.residual}};
+  return {{"dt", step.dt},
+          {"cfl", step.cfl},
+          {"cells", step.cells},
+          {"liquid", step.liquid},
+          {"drops", step.drops},
+          {"residual", step.residual},
+          {"tension_share", step.tension_share}};
 }
 
 json to_json(const std::vector<ModuleCost>& costs) {

@@ -34,6 +34,13 @@ class MeshTracker : public SurfaceTracker {
     if (due(schedule_.improve_every)) improve();
   }
 
+  void displace(std::vector<Point> positions) override {
+    if (vanished()) return;
+    distance_.reset();
+    tracker_.displace(std::move(positions));
+    remodelled_ = improved_ = false;
+  }
+
   void settle() override {
     if (schedule_.remodel_every > 0 && !remodelled_) remodel();
     if (schedule_.improve_every > 0 && !improved_) improve();

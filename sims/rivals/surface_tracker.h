@@ -53,6 +53,10 @@ class SurfaceTracker {
   /// Whether advect moves vertices and leaves the triangles as they are.
   virtual bool keeps_triangles() const { return false; }
 
+  /// Gives every vertex a new position, in the order of surface().positions, at the time it is.
+  /// \pre keeps_triangles() \throw InvalidInput as Tracker::displace
+  virtual void displace(std::vector<Point> /*positions*/) {}
+
   virtual double time() const = 0;
   virtual TrackerCost cost() const = 0;
 };

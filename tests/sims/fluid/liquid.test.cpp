@@ -97,11 +97,11 @@ TEST_CASE("a line through edges and vertices of the surface still crosses it") {
 
 TEST_CASE("a drop that holds no cell's centre is told of, one that does is not") {
   const double h = 1;
-  CHECK(LiquidScene(ball({0, 0, 0}, 0.4, 0.2), h).cells.drop_count == 1);
-  CHECK(LiquidScene(ball({0.5, 0.5, 0.5}, 0.4, 0.2), h).cells.drop_count == 0);
+  CHECK(LiquidScene(ball({0, 0, 0}, 0.4, 0.2), h).cells.drops.size() == 1);
+  CHECK(LiquidScene(ball({0.5, 0.5, 0.5}, 0.4, 0.2), h).cells.drops.size() == 0);
   const LiquidScene scene(merged(std::vector{ball({0, 0, 0}, 0.4, 0.2), ball({12, 12, 12}, 5, 1)}),
                           h);
-  CHECK(scene.cells.drop_count == 1);
+  CHECK(scene.cells.drops.size() == 1);
   REQUIRE(scene.liquid.drops.size() == 8);
   for (const Slot s : scene.liquid.drops)
     for (const int i : scene.grid.cell(s)) CHECK((i == 0 || i == -1));

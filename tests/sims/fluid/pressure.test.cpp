@@ -273,7 +273,7 @@ TEST_CASE("the wanted divergence is what flows out") {
 
 TEST_CASE("a drop without a cell keeps its velocity, and no liquid is no work") {
   const LiquidScene drop(ball({0.04, 0, 0}, 0.04, 0.02), 0.1);
-  REQUIRE(drop.cells.drop_count == 1);
+  REQUIRE(drop.cells.drops.size() == 1);
   MacVelocity v = drop.velocity([](const Point&) -> Point { return {1, 2, 3}; });
   for (auto& known : v.known) known.assign(known.size(), 1);
   CHECK(project(v, drop.input()).iterations == 0);

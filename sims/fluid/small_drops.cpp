@@ -1,0 +1,54 @@
+// Drops without a cell's centre: no pressure carries them, so at a solid they move as one.
+#include "sims/fluid/small_drops.h"
+
+#include <algorithm>
+
+#include "sims/fluid/slip.h"
+
+namespace suture {
+namespace {
+
+/// Cells: how near to a solid what it does to the velocity at a wall is felt (constrain).
+constexpr double kAtSolid = 1.5;
+
+/// Gives the known faces of a drop's cells its velocity.
+void hold(MacVelocity& velocity, const Drop& drop, const Point& v) {
+  const SparseGrid& grid = *velocity.grid;
+  for (const Index3& cell : drop.cells) {
+    const Slot s = grid.find(cell);
+    if (s == kNoSlot) continue;
+    for (int axis = 0; axis < 3; ++axis)
+      for (const Slot face : {s, grid.neighbour(s, axis, 1)})
+        if (face != kNoSlot && velocity.known[axis][face] != 0) velocity.u[axis][face] = v[axis];
+  }
+}
+
+}  // namespace
+
+DropsAtSolids::DropsAtSolids(const std::vector<Drop>& drops, const Triangles& surface,
+                             const Solids& solids, double t, double dt, MacVelocity& velocity) {
+  const double h = velocity.grid->h();
+  for (const Drop& drop : drops) {
+    std::vector<Point> body;
+    Point mean = Point::Zero();
+    for (const std::uint32_t v : drop.vertices) {
+      body.push_back(surface.positions[v]);
+      mean += velocity.at(body.back()) / static_cast<double>(drop.vertices.size());
+    }
+    const double reach = kAtSolid * h + (mean.norm() + solids.fastest()) * dt;
+    if (std::none_of(body.begin(), body.end(),
+                     [&](const Point& p) { return solids.distance(p, t) < reach; }))
+      continue;
+    const KeptBody way = kept_out(solids, body, mean, t, dt, h);
+    if (way.squeezed) continue;
+    hold(velocity, drop, way.velocity);
+    for (std::size_t n = 0; n < body.size(); ++n)
+      moved_.push_back({drop.vertices[n], body[n] + dt * way.velocity});
+  }
+}
+
+void DropsAtSolids::put(std::vector<Point>& positions) const {
+  for (const Vertex& v : moved_) positions[v.index] = v.to;
+}
+
+}  // namespace suture

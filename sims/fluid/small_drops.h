@@ -1,0 +1,35 @@
+// Drops without a cell's centre: no pressure carries them, so at a solid they move as one.
+#pragma once
+
+#include <vector>
+
+#include "sims/fluid/liquid.h"
+#include "sims/fluid/mac_velocity.h"
+
+namespace suture {
+
+/// The drops at a solid in a step, and where they go. All others fly with the velocity that the
+/// liquid's faces have at each of their vertices, which at a solid would flatten them.
+class DropsAtSolids {
+ public:
+  /// Which of `drops` come near a solid on their way from t to t + dt. Each goes on with the mean
+  /// of its vertices' velocities, without what the solid takes of it (kept_out): it lands and lies,
+  /// or slides without friction. The known faces of its cells hold that velocity from here on. A
+  /// drop that solids leave no way is left to be squeezed, vertex by vertex.
+  /// \pre `velocity` is known at the drops' faces, as project leaves it; drops are of `surface`
+  DropsAtSolids(const std::vector<Drop>& drops, const Triangles& surface, const Solids& solids,
+                double t, double dt, MacVelocity& velocity);
+
+  bool any() const { return !moved_.empty(); }
+  /// Puts their vertices where they go. \pre as many positions as the surface had
+  void put(std::vector<Point>& positions) const;
+
+ private:
+  struct Vertex {
+    std::uint32_t index;
+    Point to;
+  };
+  std::vector<Vertex> moved_;
+};
+
+}  // namespace suture
