@@ -46,7 +46,7 @@ void swing(Rows& rows, const std::string& what, int cells, double modulus) {
 
 /// Viscosity 1: the twist decays at k². From the middle of the first step on.
 void shear(Rows& rows) {
-  for (const int cells : {6, 12, 24}) {
+  for (const int cells : {6, 12}) {
     rows.restart();
     FluidOptions options;
     options.viscosity = 1;
@@ -69,7 +69,7 @@ void elastic(Rows& rows) {
     rows.restart();
     swing(rows, "_period", cells, 1);
   }
-  for (const double modulus : {1e-2, 1e0, 1e2, 1e4, 1e6}) {
+  for (const double modulus : {1e-2, 1e2, 1e6}) {
     rows.restart();
     swing(rows, "_modulus", 6, modulus);
   }
