@@ -90,7 +90,6 @@ void dam(Rows& rows, int n2, int cells) {
   for (const auto& [when, height] : heights)
     if (when <= kEnd)
       rows.add(fmt::format("_height.{}", n2), cells, when, at(c.height, when), height);
-  rows.add(fmt::format("_fall.{}", n2), cells, 0, fall_at_wall(n2, cells), exact_fall_at_wall(n2));
   rows.add(fmt::format("_volume.{}", n2), cells, c.front.back().first, c.volume, 1);
 }
 
@@ -111,6 +110,15 @@ void dams(Rows& rows) {
     for (const int cells : {8, 16, 32}) {
       rows.restart();
       dam(rows, n2, cells);
+    }
+}
+
+/// Against potential theory, at the moment that it is let go.
+void falls(Rows& rows) {
+  for (const int n2 : {2, 1})
+    for (const int cells : {8, 16, 32}) {
+      rows.restart();
+      rows.add(fmt::format(".{}", n2), cells, 0, fall_at_wall(n2, cells), exact_fall_at_wall(n2));
     }
 }
 

@@ -76,10 +76,10 @@ void elastic(Rows& rows) {
 }
 
 void yielding(Rows& rows) {
-  for (const double yield : {0.001, 0.01, 0.03})
-    for (const double size : {4.0, 8.0, 16.0, 32.0, 64.0}) {
+  for (const double yield : {0.001, 0.03})
+    for (const double size : {4.0, 12.0, 24.0, 48.0}) {
       rows.restart();
-      const auto [most, left] = lasting_strain(5, size * yield, yield);
+      const auto [most, left] = lasting_strain(4, size * yield, yield);
       rows.add("_left", yield, most / yield, left / yield, std::max(0.0, most / yield - 1));
     }
 }
