@@ -123,8 +123,8 @@ def cells_panel(rows):
     panel = Panel("Orders in the size of cells", "cells a side, or a radius", "relative error", "top right",
                   "set logscale xy\nset xrange [4.5:90]\nset yrange [1e-3:10]\nset xtics (6, 8, 12, 16, 24, 32, 64)\n"
                   "set format y '10^{%L}'\n")
-    for case, name in (("vortex_error", "vortex, inviscid, half a cell a step"), ("vortex_slow_rate", "its decay, slow flow"),
-                       ("vortex_rate", "its decay, νT = 0.1"), ("translation_velocity", "twist of a ball that flies")):
+    for case, name in (("vortex_error", "vortex, inviscid"), ("vortex_slow_rate", "its decay, slow flow"),
+                       ("vortex_rate", "its decay, νT = 0.1"), ("translation_velocity", "twist of a flying ball")):
         line = rows.line(case)
         panel.points(sizes(line), with_order(name, line))
     return panel
@@ -134,8 +134,8 @@ def steps_panel(rows):
     panel = Panel("Orders in the step, 32 cells a side", "steps", "relative error", "top right",
                   "set logscale xy\nset yrange [1e-4:10]\nset xrange [1.6:160]\nset xtics (2, 4, 8, 16, 32, 64, 128)\n"
                   "set format y '10^{%L}'\n")
-    for case, name in (("vortex_steps", "vortex to a time of 1, from the exact"),
-                       ("vortex_steps_limit", "from that of 256 steps"),
+    for case, name in (("vortex_steps", "vortex, from the exact"),
+                       ("vortex_steps_limit", "vortex, from 128 steps"),
                        ("vortex_slow_rate_steps", "viscous decay, slow flow")):
         line = rows.line(case)
         panel.points(sizes(line), with_order(name, line))
@@ -161,12 +161,12 @@ def dam_front(rows):
 
 def dam_height(rows):
     return collapse(rows, Panel("The height that is left at the wall", "τ = t·√(g/a)", "H = height/(n²a)", "top right",
-                                "set xrange [0:4.5]\nset yrange [0:1]\n"), "H", "dam_height", 4.4)
+                                "set xrange [0:4.5]\nset yrange [0:1.35]\n"), "H", "dam_height", 4.4)
 
 
 CAUSES = (("none", "as it is"), ("film", "half a cell thick"), ("uncontrolled", "no volume control"),
           ("short_steps", "a quarter of the step"), ("semi_lagrangian", "semi-Lagrangian"), ("tension", "tension of water"),
-          ("water", "sticks, ν of water"), ("rubs_3e-4", "sticks, 13 times that"))
+          ("water", "sticks, ν of water"), ("rubs_3e-4", "sticks, 13 × that"))
 
 
 def dam_causes(rows):
@@ -189,7 +189,7 @@ def drop(rows):
 
 
 def drop_period(rows):
-    panel = Panel("Its period", "cells a radius", "relative error", "top right",
+    panel = Panel("Errors of its period and amplitude", "cells a radius", "relative error", "top right",
                   "set logscale xy\nset xrange [3.5:36]\nset yrange [1e-3:3]\nset xtics (4, 6, 8, 12, 16, 32)\n"
                   "set format y '10^{%L}'\n")
     quarter = rows.line("drop_quarter") + rows.line("fine_drop_quarter")
@@ -264,7 +264,7 @@ def meeting(rows):
 
 def buckling(rows):
     panel = Panel("A thick column under a plate", "shortening over length", "deflection over width", "bottom right",
-                  "set logscale y\nset yrange [0.01:10]\n")
+                  "set logscale y\nset yrange [0.003:10]\n")
     for cells, line in rows.lines("buckling_aside"):
         panel.points(line, f"{cells / 10:g} cells a width", style="lines")
     panel.points(rows.lines("buckling_aside", y="exact")[0][1], "Euler, slender and slight", style="lines", colour="#202028",
