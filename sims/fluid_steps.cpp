@@ -5,6 +5,7 @@
 
 #include "kernel/errors.h"
 #include "kernel/nearest_triangle.h"
+#include "sims/fluid/frame.h"
 
 namespace suture {
 namespace {
@@ -36,28 +37,11 @@ FluidSteps::FluidSteps(const Scene& scene)
 
 void FluidSteps::step(std::int64_t index, StepWatcher& watcher) {
   tracker_->watch(&watcher);
-  const double end = step_end(scene_.time, index);
   const int every = std::max(scene_.time.remodel_every, scene_.time.improve_every);
-  const bool settles_early = every > 0 && tracker_->keeps_triangles();
-  int done = 0;
-  for (double left = end - fluid_.time(); left > 0;) {
-    const int steps =
-        std::clamp(fluid_.steps_in(left), 1, std::max(1, scene_.fluid->most_steps - done));
-    const double dt = left / steps;
-    fluid_.step(*tracker_, dt);
-    watcher.moved(dt);
-    ++done;
-    left = steps == 1 ? 0 : end - fluid_.time();
-    if (settles_early && left > 0 && fluid_.wants_topology()) settle();
-  }
-  if (every > 0 && (index % every == 0 || index == scene_.time.steps())) settle();
+  run_frame(fluid_, *tracker_, step_end(scene_.time, index), scene_.fluid->most_steps, every > 0,
+            [&](double dt) { watcher.moved(dt); });
+  if (every > 0 && (index % every == 0 || index == scene_.time.steps())) settle(fluid_, *tracker_);
   tracker_->watch(nullptr);
-}
-
-void FluidSteps::settle() {
-  fluid_.before_remodel(tracker_->surface());
-  tracker_->settle();
-  fluid_.after_remodel(tracker_->surface());
 }
 
 }  // namespace suture

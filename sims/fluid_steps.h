@@ -23,8 +23,6 @@ class FluidSteps : public Steps {
   const Fluid* fluid() const override { return &fluid_; }
 
  private:
-  void settle();
-
   const Scene& scene_;
   std::unique_ptr<SurfaceTracker> tracker_;
   Fluid fluid_;

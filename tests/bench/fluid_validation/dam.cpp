@@ -45,18 +45,13 @@ struct Fallen {
   double volume = 0;         ///< at the end, over that at first
 };
 
-/// A column 1 wide and n² high in a tank some cells deep, g = 1, density 1; to the time `end`.
+/// To the time `end`.
 Fallen collapse(int n2, int cells, int deep, double end,
                 const std::function<void(FluidOptions&)>& change) {
-  const double h = 1.0 / cells, depth = deep * h, frame = 0.05 / std::sqrt(n2);
-  FluidOptions options;
-  options.cell_size = h;
-  options.density = 1;
-  options.gravity = {0, -1, 0};
-  options.volume_control.emplace();
-  options.solids = {container({0, 0, 0}, {12, n2 + 2.0, depth})};
+  const double h = 1.0 / cells, frame = 0.05 / std::sqrt(n2);
+  FluidOptions options = dam_options(n2, cells, deep);
   change(options);
-  Run run(block({0, 0, 0}, {1, 1.0 * n2, depth}, h), h, options, at_rest, kPerFrame);
+  Run run = dam_run(n2, options, deep);
   Fallen c{{{0, 1}}, {{0, 1}}, {{0, 1}}, {{0, 1}}, 0};
   const double mass = run.volume(), energy = mass * n2 / 2;
   for (double time = frame; time < end + frame; time += frame) {
@@ -115,6 +110,15 @@ void dams(Rows& rows) {
     for (const int cells : {8, 16, 32}) {
       rows.restart();
       dam(rows, n2, cells);
+    }
+}
+
+/// Against potential theory, at the moment that it is let go.
+void falls(Rows& rows) {
+  for (const int n2 : {2, 1})
+    for (const int cells : {8, 16, 32}) {
+      rows.restart();
+      rows.add(fmt::format(".{}", n2), cells, 0, fall_at_wall(n2, cells), exact_fall_at_wall(n2));
     }
 }
 

@@ -26,6 +26,7 @@ void Rows::add(const std::string& what, double resolution, double time, double m
 namespace {
 
 const std::map<std::string, void (*)(Rows&)> kCases = {{"dam", dams},
+                                                       {"fall", falls},
                                                        {"cause", dam_causes},
                                                        {"drop", drops},
                                                        {"fine_drop", fine_drop},

@@ -46,7 +46,7 @@ void swing(Rows& rows, const std::string& what, int cells, double modulus) {
 
 /// Viscosity 1: the twist decays at k². From the middle of the first step on.
 void shear(Rows& rows) {
-  for (const int cells : {6, 12, 24}) {
+  for (const int cells : {6, 12}) {
     rows.restart();
     FluidOptions options;
     options.viscosity = 1;
@@ -69,17 +69,17 @@ void elastic(Rows& rows) {
     rows.restart();
     swing(rows, "_period", cells, 1);
   }
-  for (const double modulus : {1e-2, 1e0, 1e2, 1e4, 1e6}) {
+  for (const double modulus : {1e-2, 1e2, 1e6}) {
     rows.restart();
     swing(rows, "_modulus", 6, modulus);
   }
 }
 
 void yielding(Rows& rows) {
-  for (const double yield : {0.001, 0.01, 0.03})
-    for (const double size : {4.0, 8.0, 16.0, 32.0, 64.0}) {
+  for (const double yield : {0.001, 0.03})
+    for (const double size : {4.0, 12.0, 24.0, 48.0}) {
       rows.restart();
-      const auto [most, left] = lasting_strain(5, size * yield, yield);
+      const auto [most, left] = lasting_strain(4, size * yield, yield);
       rows.add("_left", yield, most / yield, left / yield, std::max(0.0, most / yield - 1));
     }
 }

@@ -17,6 +17,7 @@ struct Rows {
 };
 
 void dams(Rows& rows);
+void falls(Rows& rows);
 void dam_causes(Rows& rows);
 void drops(Rows& rows);
 void fine_drop(Rows& rows);

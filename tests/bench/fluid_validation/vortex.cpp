@@ -26,7 +26,7 @@ void steady(Rows& rows, int cells) {
 
 /// At a fixed cell size: against the exact flow, and against the finest steps.
 void steady_steps(Rows& rows, int cells) {
-  constexpr int kMost = 256;
+  constexpr int kMost = 128;
   Vortex finest(cells, 1, {});
   finest.advance(1, kMost);
   const auto limit = finest.faces();
@@ -61,12 +61,11 @@ double rate(int cells, double speed, double viscosity, double lifetimes, int ste
 
 void vortices(Rows& rows) {
   constexpr double kViscosity = 0.05;
-  for (const int cells : {8, 16, 32, 64}) {
-    steady(rows, cells);
-    const int fine = cells * cells / 16;
+  for (const int cells : {8, 16, 32, 64}) steady(rows, cells);
+  for (const int cells : {8, 16, 32}) {
     rows.restart();
-    rows.add("_slow_rate", cells, 0.64, rate(cells, kSlow, kViscosity, 0.64, std::max(8, 2 * fine)),
-             2 * kViscosity);
+    rows.add("_slow_rate", cells, 0.64,
+             rate(cells, kSlow, kViscosity, 0.64, std::max(8, cells * cells / 8)), 2 * kViscosity);
     rows.restart();
     rows.add("_rate", cells, 0.2, rate(cells, 1, kViscosity, 0.2, steps_of(cells, 4)),
              2 * kViscosity);

@@ -119,6 +119,17 @@ TEST_CASE("what strain is left beyond yield is less than what was beyond it, and
   CHECK(kept < beyond);
 }
 
+TEST_CASE("a column of water that is let go begins to fall as potential theory says") {
+  CHECK(exact_fall_at_wall(1) == Approx(0.5).epsilon(1e-3));
+  for (const int n2 : {1, 2}) {
+    const double exact = exact_fall_at_wall(n2);
+    const double coarse = fall_at_wall(n2, 8) / exact - 1, fine = fall_at_wall(n2, 16) / exact - 1;
+    CAPTURE(n2, coarse, fine);
+    CHECK(std::abs(coarse) < 1e-3);  // measured: 2e-7 by symmetry, and -8e-4
+    CHECK(order(coarse, fine) > 1.7);
+  }
+}
+
 TEST_CASE("two drops that meet keep their momentum, volume and no more than their energy") {
   const double h = 1.0 / 6;
   FluidOptions options;

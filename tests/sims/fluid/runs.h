@@ -195,6 +195,42 @@ struct Vortex {
   }
 };
 
+// --- A column of water, 1 wide and n² high, in a tank some cells deep; g = 1 and density 1
+
+inline FluidOptions dam_options(int n2, int cells, int deep) {
+  FluidOptions options;
+  options.cell_size = 1.0 / cells;
+  options.density = 1;
+  options.gravity = {0, -1, 0};
+  options.volume_control.emplace();
+  options.solids = {container({0, 0, 0}, {12, n2 + 2.0, deep * options.cell_size})};
+  return options;
+}
+
+inline Run dam_run(int n2, const FluidOptions& options, int deep) {
+  const double h = options.cell_size;
+  return {block({0, 0, 0}, {1, 1.0 * n2, deep * h}, h), h, options, at_rest, kPerFrame};
+}
+
+/// The acceleration at which its surface falls along the wall when it is let go, over g.
+inline double fall_at_wall(int n2, int cells) {
+  constexpr double kStep = 1e-3;
+  Run run = dam_run(n2, dam_options(n2, cells, 3), 3);
+  run.fluid.step(*run.surface, kStep);
+  return -run.fluid.velocity({0, 1.0 * n2, 1.5 / cells})[1] / (kStep / 2);
+}
+
+/// The same by the series that solves for its pressure: Laplace's equation, 0 at its free sides,
+/// weight at its foot [as Stoker 1957, §12.1].
+inline double exact_fall_at_wall(int n2) {
+  double fall = 1;
+  for (int k = 0; k < 20; ++k) {
+    const double wave = (k + 0.5) * std::numbers::pi;
+    fall -= (k % 2 == 0 ? 2 : -2) / (wave * std::cosh(wave * n2));
+  }
+  return fall;
+}
+
 // --- A column of thick liquid, 0.1 × 0.1 × 1, that a plate presses on a floor
 
 struct PressedColumn {
