@@ -121,10 +121,11 @@ def projection(rows):
 
 def cells_panel(rows):
     panel = Panel("Orders in the size of cells", "cells a side, or a radius", "relative error", "top right",
-                  "set logscale xy\nset xrange [4.5:90]\nset yrange [1e-3:10]\nset xtics (6, 8, 12, 16, 24, 32, 64)\n"
+                  "set logscale xy\nset xrange [4.5:90]\nset yrange [1e-5:100]\nset xtics (6, 8, 12, 16, 24, 32, 64)\n"
                   "set format y '10^{%L}'\n")
     for case, name in (("vortex_error", "vortex, inviscid"), ("vortex_slow_rate", "its decay, slow flow"),
-                       ("vortex_rate", "its decay, νT = 0.1"), ("translation_velocity", "twist of a flying ball")):
+                       ("vortex_rate", "its decay, νT = 0.1"), ("translation_velocity", "twist of a flying ball"),
+                       ("fall.2", "fall of a column let go")):
         line = rows.line(case)
         panel.points(sizes(line), with_order(name, line))
     return panel
@@ -138,7 +139,7 @@ def steps_panel(rows):
                        ("vortex_steps_limit", "vortex, from 128 steps"),
                        ("vortex_slow_rate_steps", "viscous decay, slow flow")):
         line = rows.line(case)
-        panel.points(sizes(line), with_order(name, line))
+        panel.points(sizes(line), name if case.endswith("limit") else with_order(name, line))
     return panel
 
 
@@ -218,7 +219,7 @@ def shear(rows):
 
 
 def elastic(rows):
-    panel = Panel("A twisted elastic ball swings", "modulus × (time/radius)²/ρ", "period over exact", "top right",
+    panel = Panel("A twisted elastic ball swings", "modulus × (time/radius)²/ρ", "period over exact", "bottom right",
                   "set logscale x\nset format x '10^{%L}'\nset yrange [0.98:1.02]\nset xrange [1e-3:1e7]\n")
     panel.formula("1", "exact")
     panel.points([(r["resolution"], r["error"] + 1) for r in rows.of("elastic_modulus")], "6 cells a radius", size=1)
