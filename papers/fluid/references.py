@@ -32,6 +32,26 @@ def ritter_front(height, time, gravity=9.81):
     return 2 * math.sqrt(gravity * height) * time
 
 
+def fall_at_wall(n2, terms=20):
+    """How fast the surface at the wall begins to fall, over g, when a column 1 wide and n2 high is let go: the
+    pressure's series, Laplace's equation with 0 at the free sides and the weight at the foot."""
+    waves = (numpy.arange(terms) + 0.5) * math.pi
+    return 1 - float(numpy.sum(2 * (-1.0) ** numpy.arange(terms) / (waves * numpy.cosh(waves * n2))))
+
+
+def vortex_decay(kinematic_viscosity):
+    """The rate at which u = (sin x·cos y, −cos x·sin y) decays: 2ν [Taylor and Green 1937]; without viscosity it is
+    steady."""
+    return 2 * kinematic_viscosity
+
+
+def bend_of_column(bend, slenderness, shorter):
+    """The deflection of a viscous column between clamps that a plate has shortened by a part of its length: Euler's
+    column, the load 3μ·area·(rate of shortening), 3μ for Young's modulus; slight, slender, of constant volume.
+    d(ln bend) is 12/(2π)²·(height/width)²·d(ln height)."""
+    return bend * math.exp(slenderness**2 / math.pi**2 * (1 - (1 - shorter) ** 3))
+
+
 def drop_frequency(n, tension, density, radius):
     """ω of the nth mode of a drop without viscosity in vacuo: ω² = n(n−1)(n+2)σ/(ρR³) [Lamb 1932, §275]. To
     first order in the amplitude: of second order it falls."""
@@ -82,7 +102,29 @@ def shear_decay_by_differences(wavenumber, kinematic_viscosity, points=400):
     return -float(numpy.dot(change, u) / numpy.dot(u, u))
 
 
+def fall_by_differences(n2, cells=48):
+    """fall_at_wall again, from Laplace's equation on nodes; the line above the top has the pressure's odd mirror."""
+    h, rows, columns = 1 / cells, n2 * cells, cells
+    matrix, right = numpy.zeros((rows * columns,) * 2), numpy.zeros(rows * columns)
+    for j in range(rows):
+        for i in range(columns):
+            at = j * columns + i
+            matrix[at, at] = -4
+            for other_i, other_j in ((i - 1, j), (i + 1, j), (i, j - 1), (i, j + 1)):
+                if other_j < 0:
+                    right[at] -= 2 * h  # the foot: dp/dy = −1
+                    other_j = 1
+                if 0 <= other_j < rows and other_i < columns:
+                    matrix[at, other_j * columns + abs(other_i)] += 1
+    pressure = numpy.linalg.solve(matrix, right)
+    below = [pressure[(rows - n) * columns] for n in (1, 2)]
+    return 1 - (4 * below[0] - below[1]) / (2 * h)
+
+
 def check():
+    for n2 in (1, 2):
+        exact, found = fall_at_wall(n2), fall_by_differences(n2, 24)
+        assert abs(found / exact - 1) < 2e-3, (n2, exact, found)
     for n in range(2, 7):
         exact, found = drop_frequency(n, 0.07, 1000, 0.01), frequency_by_quadrature(n, 0.07, 1000, 0.01)
         assert abs(found / exact - 1) < 1e-4, (n, exact, found)

@@ -111,8 +111,8 @@ def still(rows):
 
 
 def projection(rows):
-    panel = Panel("What a projection leaves", "solver''s tolerance", "largest divergence over that before", "bottom right",
-                  "set logscale xy\nset xrange [1e-13:1e-1]\n" + POWERS)
+    panel = Panel("What a projection leaves", "solver''s tolerance", "largest divergence over that before",
+                  "bottom right", "set logscale xy\nset xrange [1e-13:1e-1]\n" + POWERS)
     for cells, line in rows.lines("projection_divergence"):
         panel.points(line, f"{cells:g} cells a radius", style="points", size=1.1)
     panel.formula("x", "the tolerance")
@@ -121,10 +121,11 @@ def projection(rows):
 
 def cells_panel(rows):
     panel = Panel("Orders in the size of cells", "cells a side, or a radius", "relative error", "top right",
-                  "set logscale xy\nset xrange [4.5:90]\nset yrange [1e-3:10]\nset xtics (6, 8, 12, 16, 24, 32, 64)\n"
+                  "set logscale xy\nset xrange [4.5:90]\nset yrange [1e-5:100]\nset xtics (6, 8, 12, 16, 24, 32, 64)\n"
                   "set format y '10^{%L}'\n")
     for case, name in (("vortex_error", "vortex, inviscid"), ("vortex_slow_rate", "its decay, slow flow"),
-                       ("vortex_rate", "its decay, νT = 0.1"), ("translation_velocity", "twist of a flying ball")):
+                       ("vortex_rate", "its decay, νT = 0.1"), ("translation_velocity", "twist of a flying ball"),
+                       ("fall.2", "fall of a column let go")):
         line = rows.line(case)
         panel.points(sizes(line), with_order(name, line))
     return panel
@@ -132,13 +133,13 @@ def cells_panel(rows):
 
 def steps_panel(rows):
     panel = Panel("Orders in the step, 32 cells a side", "steps", "relative error", "top right",
-                  "set logscale xy\nset yrange [1e-4:10]\nset xrange [1.6:160]\nset xtics (2, 4, 8, 16, 32, 64, 128)\n"
+                  "set logscale xy\nset yrange [1e-4:10]\nset xrange [1.6:80]\nset xtics (2, 4, 8, 16, 32, 64)\n"
                   "set format y '10^{%L}'\n")
     for case, name in (("vortex_steps", "vortex, from the exact"),
                        ("vortex_steps_limit", "vortex, from 128 steps"),
                        ("vortex_slow_rate_steps", "viscous decay, slow flow")):
         line = rows.line(case)
-        panel.points(sizes(line), with_order(name, line))
+        panel.points(sizes(line), name if case.endswith("limit") else with_order(name, line))
     return panel
 
 
@@ -155,8 +156,8 @@ def collapse(rows, panel, quantity, case, last):
 
 
 def dam_front(rows):
-    return collapse(rows, Panel("The front of a column of water", "T = n·t·√(g/a)", "Z = x/a", "top left", "set yrange [1:6.5]\n"),
-                    "Z", "dam", 9)
+    panel = Panel("The front of a column of water", "T = n·t·√(g/a)", "Z = x/a", "top left", "set yrange [1:6.5]\n")
+    return collapse(rows, panel, "Z", "dam", 9)
 
 
 def dam_height(rows):
@@ -165,22 +166,24 @@ def dam_height(rows):
 
 
 CAUSES = (("none", "as it is"), ("film", "half a cell thick"), ("uncontrolled", "no volume control"),
-          ("short_steps", "a quarter of the step"), ("semi_lagrangian", "semi-Lagrangian"), ("tension", "tension of water"),
+          ("short_steps", "a quarter of the step"), ("semi_lagrangian", "semi-Lagrangian"),
+          ("tension", "tension of water"),
           ("water", "sticks, ν of water"), ("rubs_3e-4", "sticks, 13 × that"))
 
 
 def dam_causes(rows):
-    panel = Panel("Why the front is ahead, n² = 1, 16 cells", "Z of the experiment", "Z over the experiment''s", "top left maxrows 4",
-                  "set yrange [0.98:1.4]\n")
+    panel = Panel("Why the front is ahead, n² = 1, 16 cells", "Z of the experiment", "Z over the experiment''s",
+                  "top left maxrows 4", "set yrange [0.98:1.4]\n")
     for case, name in CAUSES:
-        panel.points([(r["exact"], r["measured"] / r["exact"]) for r in rows.of(f"cause_{case}.1")], name, style="lines")
+        line = [(r["exact"], r["measured"] / r["exact"]) for r in rows.of(f"cause_{case}.1")]
+        panel.points(line, name, style="lines")
     panel.formula("1", "", EXACT)
     return panel
 
 
 def drop(rows):
     panel = Panel("The second mode of a drop", "time over Lamb''s period", "amplitude", "bottom left",
-                  "set xrange [0:0.85]\nset yrange [-1.2:1.1]\n")
+                  "set xrange [0:0.85]\nset yrange [-1.7:1.1]\n")
     panel.formula("cos(2*pi*x)", "Lamb 1932")
     lines = rows.lines("drop_bend") + rows.lines("fine_drop_bend")
     for radius, line in lines:
@@ -202,14 +205,16 @@ def drop_period(rows):
 
 def currents(rows):
     panel = Panel("Currents round a drop at rest", "cells a radius", "velocity over √(σ/(ρR))", "top right",
-                  "set logscale xy\nset yrange [1e-6:1e-2]\nset xrange [3.5:18]\nset xtics (4, 6, 8, 12, 16)\nset format y '10^{%L}'\n")
+                  "set logscale xy\nset yrange [1e-6:1e-2]\nset xrange [3.5:18]\n"
+                  "set xtics (4, 6, 8, 12, 16)\nset format y '10^{%L}'\n")
     panel.points(sizes(rows.line("currents_most")), "largest in half a period", size=1)
     panel.points(sizes(rows.line("currents_end")), "at its end", size=1)
     return panel
 
 
 def shear(rows):
-    panel = Panel("A twisted ball slows by viscosity", "time × νk²", "amplitude", "bottom left", "set xrange [0:0.85]\n")
+    panel = Panel("A twisted ball slows by viscosity", "time × νk²", "amplitude", "bottom left",
+                  "set xrange [0:0.85]\n")
     panel.formula("exp(-x)", "exact")
     for cells, line in rows.lines("shear_amplitude"):
         error = next(r["error"] for r in rows.of("shear_rate") if r["resolution"] == cells)
@@ -218,19 +223,20 @@ def shear(rows):
 
 
 def elastic(rows):
-    panel = Panel("A twisted elastic ball swings", "modulus × (time/radius)²/ρ", "period over exact", "top right",
+    panel = Panel("A twisted elastic ball swings", "modulus × (time/radius)²/ρ", "period over exact", "bottom right",
                   "set logscale x\nset format x '10^{%L}'\nset yrange [0.98:1.02]\nset xrange [1e-3:1e7]\n")
     panel.formula("1", "exact")
     panel.points([(r["resolution"], r["error"] + 1) for r in rows.of("elastic_modulus")], "6 cells a radius", size=1)
     for r in rows.of("elastic_period"):
         if r["resolution"] > 6:
-            panel.points([(1, r["error"] + 1)], f"{r['resolution']:g} cells: {percent(r['error'])}", style="points", size=1.2)
+            name = f"{r['resolution']:g} cells: {percent(r['error'])}"
+            panel.points([(1, r["error"] + 1)], name, style="points", size=1.2)
     return panel
 
 
 def yielding(rows):
-    panel = Panel("What yields stays", "largest strain on the way over yield''s", "strain left over yield''s", "top left",
-                  "set logscale xy\nset xrange [0.2:20]\nset yrange [1e-3:20]\n")
+    panel = Panel("What yields stays", "largest strain on the way over yield''s", "strain left over yield''s",
+                  "top left", "set logscale xy\nset xrange [0.2:20]\nset yrange [1e-3:20]\n")
     panel.formula("x > 1 ? x - 1 : 1/0", "all that is beyond yield")
     for n, (strain, line) in enumerate(rows.lines("yield_left")):
         panel.points(sizes(line), f"yields at {strain:g}", size=1.4 - 0.4 * n, mark=(6, 4, 7)[n % 3])
@@ -238,7 +244,8 @@ def yielding(rows):
 
 
 def slosh(rows):
-    panel = Panel("A tank sloshes, 16 cells wide", "time × √(g/width)", "volume over that at first", "bottom left", "set yrange [0.5:1.1]\n")
+    panel = Panel("A tank sloshes, 16 cells wide", "time × √(g/width)", "volume over that at first",
+                  "bottom left", "set yrange [0.5:1.1]\n")
     scale = math.sqrt(10)
     for case, name in (("free", "without volume control"), ("controlled", "with it")):
         line = [(r["time"] * scale, r["measured"] / r["exact"]) for r in rows.of(f"slosh_{case}")]
@@ -248,8 +255,8 @@ def slosh(rows):
 
 
 def meeting(rows):
-    panel = Panel("Two drops meet, 12 cells a radius", "time × speed/radius", "over what it was at first", "bottom left",
-                  "set yrange [0.8:1.05]\n")
+    panel = Panel("Two drops meet, 12 cells a radius", "time × speed/radius", "over what it was at first",
+                  "bottom left", "set yrange [0.8:1.05]\n")
     size = math.hypot(*(r["exact"] for c in "xyz" for r in rows.of(f"meeting_momentum_{c}_controlled")[:1]))
     for case, name in (("volume", "volume"), ("energy", "kinetic energy")):
         lines = dict(rows.lines(f"meeting_{case}_controlled", y="error"))
@@ -267,8 +274,9 @@ def buckling(rows):
                   "set logscale y\nset yrange [0.003:10]\n")
     for cells, line in rows.lines("buckling_aside"):
         panel.points(line, f"{cells / 10:g} cells a width", style="lines")
-    panel.points(rows.lines("buckling_aside", y="exact")[0][1], "Euler, slender and slight", style="lines", colour="#202028",
-                 dash=2)
+    euler = rows.lines("buckling_aside", y="exact")[:1]
+    for _, line in euler:
+        panel.points(line, "Euler, slender and slight", style="lines", colour="#202028", dash=2)
     return panel
 
 
