@@ -202,8 +202,9 @@ void Fluid::State::bring_forward(SurfaceTracker& surface, double dt) {
   effects->stress(step);
   make_incompressible(step);
   if (!drops.empty() && keeps_out(surface))
-    costs.timed("solids",
-                [&] { at_solids.emplace(drops, surface.surface(), solids, time, dt, velocity); });
+    costs.timed("solids", [&] {
+      at_solids.emplace(drops, surface.surface(), liquid, solids, time, dt, velocity);
+    });
   costs.timed("extrapolation", [&] { extrapolate(velocity, band(dt)); });
   step.dt = dt;
   effects->flowed(step);

@@ -11,22 +11,27 @@ namespace {
 /// Cells: how near to a solid what it does to the velocity at a wall is felt (constrain).
 constexpr double kAtSolid = 1.5;
 
-/// Gives the known faces of a drop's cells its velocity.
-void hold(MacVelocity& velocity, const Drop& drop, const Point& v) {
+/// Gives the known faces of a drop's cells its velocity, but for those of other liquid's cells.
+void hold(MacVelocity& velocity, const Liquid& liquid, const Drop& drop, const Point& v) {
   const SparseGrid& grid = *velocity.grid;
   for (const Index3& cell : drop.cells) {
     const Slot s = grid.find(cell);
-    if (s == kNoSlot) continue;
+    if (s == kNoSlot || liquid.inside(s)) continue;
     for (int axis = 0; axis < 3; ++axis)
-      for (const Slot face : {s, grid.neighbour(s, axis, 1)})
-        if (face != kNoSlot && velocity.known[axis][face] != 0) velocity.u[axis][face] = v[axis];
+      for (const int side : {-1, 1}) {
+        const Slot other = grid.neighbour(s, axis, side);
+        if (other == kNoSlot || liquid.inside(other)) continue;
+        const Slot face = side < 0 ? s : other;
+        if (velocity.known[axis][face] != 0) velocity.u[axis][face] = v[axis];
+      }
   }
 }
 
 }  // namespace
 
 DropsAtSolids::DropsAtSolids(const std::vector<Drop>& drops, const Triangles& surface,
-                             const Solids& solids, double t, double dt, MacVelocity& velocity) {
+                             const Liquid& liquid, const Solids& solids, double t, double dt,
+                             MacVelocity& velocity) {
   const double h = velocity.grid->h();
   for (const Drop& drop : drops) {
     std::vector<Point> body;
@@ -41,7 +46,7 @@ DropsAtSolids::DropsAtSolids(const std::vector<Drop>& drops, const Triangles& su
       continue;
     const KeptBody way = kept_out(solids, body, mean, t, dt, h);
     if (way.squeezed) continue;
-    hold(velocity, drop, way.velocity);
+    hold(velocity, liquid, drop, way.velocity);
     for (std::size_t n = 0; n < body.size(); ++n)
       moved_.push_back({drop.vertices[n], body[n] + dt * way.velocity});
   }

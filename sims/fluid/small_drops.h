@@ -14,11 +14,11 @@ class DropsAtSolids {
  public:
   /// Which of `drops` come near a solid on their way from t to t + dt. Each goes on with the mean
   /// of its vertices' velocities, without what the solid takes of it (kept_out): it lands and lies,
-  /// or slides without friction. The known faces of its cells hold that velocity from here on. A
-  /// drop that solids leave no way is left to be squeezed, vertex by vertex.
+  /// or slides without friction. The known faces of its cells, but for those of other liquid, hold
+  /// that velocity from here on. One that solids leave no way is squeezed, vertex by vertex.
   /// \pre `velocity` is known at the drops' faces, as project leaves it; drops are of `surface`
-  DropsAtSolids(const std::vector<Drop>& drops, const Triangles& surface, const Solids& solids,
-                double t, double dt, MacVelocity& velocity);
+  DropsAtSolids(const std::vector<Drop>& drops, const Triangles& surface, const Liquid& liquid,
+                const Solids& solids, double t, double dt, MacVelocity& velocity);
 
   bool any() const { return !moved_.empty(); }
   /// Puts their vertices where they go. \pre as many positions as the surface had
