@@ -231,31 +231,32 @@ inline double exact_fall_at_wall(int n2) {
   return fall;
 }
 
-// --- A column of thick liquid, 0.1 × 0.1 × 1, that a plate presses on a floor
+// --- A column of thick liquid, 1 high, that a plate presses on a floor
 
 struct PressedColumn {
-  static constexpr double kWidth = 0.1, kBend = 0.004;  ///< kBend: of its middle, to begin with
-  static constexpr double kSpeed = 0.1;                 ///< of the plate: it is slow as honey
+  static constexpr double kSpeed = 0.1;  ///< of the plate: viscosity is all that resists
+  double width, bend;                    ///< bend: of its middle, to begin with
   Run run;
 
-  static Run started(double cell) {
+  static Run started(double cell, double width, double bend) {
     FluidOptions options;
     options.cell_size = cell;
     options.density = 1;
-    options.viscosity = 100;
+    options.viscosity = 0.01 / std::pow(width, 4);  // inertia is a hundredth of what resists
     options.volume_control.emplace();
     SolidOptions plate;
     plate.kind = SolidKind::box;
     plate.box = {{-1, 1, -1}, {1, 1.5, 1}};
     plate.motion.velocity = {0, -kSpeed, 0};
     options.solids = {container({-1, 0, -1}, {1, 2, 1}), plate};
-    const double side = kWidth / 2;
+    const double side = width / 2;
     Triangles column = block({-side, 0, -side}, {side, 1, side}, 0.9 * cell);
     for (Point& p : column.positions)
-      p[0] += kBend * (1 - std::cos(2 * std::numbers::pi * p[1])) / 2;
+      p[0] += bend * (1 - std::cos(2 * std::numbers::pi * p[1])) / 2;
     return {column, cell, options, at_rest, kPerFrame};
   }
-  explicit PressedColumn(double cell) : run(started(cell)) {}
+  explicit PressedColumn(double cell, double wide = 0.1, double bent = 0.004)
+      : width(wide), bend(bent), run(started(cell, wide, bent)) {}
 
   double height() const { return 1 - kSpeed * run.fluid.time(); }
   /// Of the middle's slice, a cell or two high.
@@ -268,11 +269,11 @@ struct PressedColumn {
     }
     return (least + most) / 2;
   }
-  /// What Euler's column between clamps makes of kBend, where viscosity stands for elasticity and
+  /// What Euler's column between clamps makes of bend, where viscosity stands for elasticity and
   /// shortening for time: d(ln aside) is 12/(2π)²·(height/width)² of d(ln height).
   double slender() const {
-    const double per = 3 / (std::numbers::pi * std::numbers::pi * kWidth * kWidth);
-    return kBend * std::exp(per * (1 - std::pow(height(), 3)) / 3);
+    const double per = 3 / (std::numbers::pi * std::numbers::pi * width * width);
+    return bend * std::exp(per * (1 - std::pow(height(), 3)) / 3);
   }
 };
 
