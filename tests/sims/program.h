@@ -52,7 +52,8 @@ struct Said {
 };
 
 inline Said suture_program(const std::string& arguments) {
-  const std::string command = std::string(SUTURE_PROGRAM) + " " + arguments + " 2>&1";
+  std::string command = SUTURE_PROGRAM;
+  command.append(" ").append(arguments).append(" 2>&1");  // g++ 12 warns, falsely, of sums
   std::FILE* pipe = popen(command.c_str(), "r");
   if (pipe == nullptr) throw std::runtime_error("cannot run " + command);
   Said said;
