@@ -1,11 +1,10 @@
-// A scene's frames as a fluid makes them: steps as short as it needs, topology once a frame [§7].
+// A scene's frames as a fluid makes them: steps as short as it needs, topology at their ends [§7].
 #include "sims/fluid_steps.h"
 
 #include <algorithm>
 
 #include "kernel/errors.h"
 #include "kernel/nearest_triangle.h"
-#include "sims/fluid/frame.h"
 
 namespace suture {
 namespace {
@@ -38,8 +37,8 @@ FluidSteps::FluidSteps(const Scene& scene)
 void FluidSteps::step(std::int64_t index, StepWatcher& watcher) {
   tracker_->watch(&watcher);
   const int every = std::max(scene_.time.remodel_every, scene_.time.improve_every);
-  run_frame(fluid_, *tracker_, step_end(scene_.time, index), scene_.fluid->most_steps, every > 0,
-            [&](double dt) { watcher.moved(dt); });
+  frame_ = run_frame(fluid_, *tracker_, step_end(scene_.time, index), scene_.fluid->most_steps,
+                     every > 0, [&](double dt) { watcher.moved(dt); });
   if (every > 0 && (index % every == 0 || index == scene_.time.steps())) settle(fluid_, *tracker_);
   tracker_->watch(nullptr);
 }

@@ -92,7 +92,8 @@ void Keys::refuse(const std::string& key, const std::string& what) const {
 }
 
 double Keys::checked(const std::string& key, double x, const Range& allowed) const {
-  if (!std::isfinite(x)) refuse(key, fmt::format("is {}; give a finite number", x));
+  const bool endless = allowed.infinite && x == std::numeric_limits<double>::infinity();
+  if (!std::isfinite(x) && !endless) refuse(key, fmt::format("is {}; give a finite number", x));
   if (!allowed.holds(x)) refuse(key, fmt::format("is {}; allowed is {}", x, allowed.words()));
   return x;
 }

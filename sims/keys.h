@@ -21,11 +21,17 @@ using Value = std::variant<bool, std::int64_t, double, std::string, std::vector<
 struct Range {
   double low = -std::numeric_limits<double>::infinity();
   double high = std::numeric_limits<double>::infinity();
-  bool open = false;  ///< `low` itself is not allowed
+  bool open = false;      ///< `low` itself is not allowed
+  bool infinite = false;  ///< inf is allowed
 
   static Range any() { return {}; }
   static Range above(double low) { return {low, std::numeric_limits<double>::infinity(), true}; }
   static Range at_least(double low) { return {low, std::numeric_limits<double>::infinity()}; }
+  Range or_infinite() const {
+    Range wider = *this;
+    wider.infinite = true;
+    return wider;
+  }
   static Range between(double low, double high) { return {low, high}; }
   bool holds(double x) const { return (open ? x > low : x >= low) && x <= high; }
   std::string words() const;

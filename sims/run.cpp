@@ -161,7 +161,7 @@ class Run : public StepWatcher {
     now["step"] = index;
     now["time"] = stepper_->time();
     now["seconds"] = watch_.lap();
-    if (stepper_->fluid() != nullptr) now["fluid"] = to_json(stepper_->fluid()->last());
+    if (stepper_->fluid() != nullptr) now["fluid"] = to_json(*stepper_->frame());
     if (is_mesh()) now["untouched_area"] = untouched_area();
     const auto parts = now["components"].get<std::size_t>();
     const OutputOptions& output = scene_.output;

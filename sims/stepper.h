@@ -9,6 +9,7 @@
 namespace suture {
 
 class Fluid;
+struct FluidFrame;
 
 /// When step `index`, counted from 1, ends.
 double step_end(const TimeOptions& time, std::int64_t index);
@@ -25,8 +26,9 @@ class Steps {
   virtual void step(std::int64_t index, StepWatcher& watcher) = 0;
   virtual const Triangles& surface() const = 0;
   virtual double time() const = 0;
-  virtual TrackerCost cost() const { return {}; }         ///< where the method counts it
-  virtual const Fluid* fluid() const { return nullptr; }  ///< that moves it; null: none
+  virtual TrackerCost cost() const { return {}; }              ///< where the method counts it
+  virtual const Fluid* fluid() const { return nullptr; }       ///< that moves it; null: none
+  virtual const FluidFrame* frame() const { return nullptr; }  ///< the fluid's last
   /// Whether nothing is left to move: every part got thinner than a cell and went.
   bool vanished() const { return surface().triangles.empty(); }
 };

@@ -56,7 +56,7 @@ void Effects::State::viscosity(const StepState& step) {
     const DiffusionReport done = diffuse(step.velocity, step.liquid, step.faces,
                                          {*options.viscosity, options.density, options.no_slip},
                                          step.dt, options.viscous_solver);
-    costs.iterated("viscosity", done.iterations);
+    costs.iterated("viscosity", done.iterations, done.residual);
     costs.holds("viscosity", done.memory);
   });
 }
@@ -66,7 +66,7 @@ void Effects::State::elasticity(const StepState& step) {
     if (strain.grid == nullptr) strain = unstrained(*step.liquid.grid, elastic);
     const DiffusionReport done = push(step.velocity, strain, step.liquid, step.faces, elastic,
                                       step.dt, options.viscous_solver);
-    costs.iterated("viscoelasticity", done.iterations);
+    costs.iterated("viscoelasticity", done.iterations, done.residual);
     costs.holds("viscoelasticity", strain.memory() + done.memory);
   });
 }

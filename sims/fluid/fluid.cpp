@@ -29,6 +29,10 @@ void check(const FluidOptions& o) {
   require(o.cfl > 0 && std::isfinite(o.cfl), "cfl must be finite and above 0");
   require(o.most_steps > 0, "most_steps must be 1 or more");
   require(o.topology_cells > 0, "topology_cells must be above 0");
+  for (const SolverOptions& s : {o.pressure, o.viscous_solver})
+    require(s.tolerance > 0 && s.tolerance <= 1 && s.most_iterations > 0,
+            "a solver's tolerance must be above 0 and at most 1, and most_iterations 1 or more");
+  if (o.volume_control) check(*o.volume_control);
   const auto at_least_0 = [](double x) { return x >= 0 && std::isfinite(x); };
   require(at_least_0(o.viscosity.value_or(0)), "viscosity must be finite and at least 0");
   require(at_least_0(o.surface_tension.value_or(0)), "tension must be finite and at least 0");
@@ -139,7 +143,7 @@ void Fluid::State::make_incompressible(const StepState& step) {
                               step.dt, effects->jump(step), effects->divergence(step)};
   costs.timed("pressure", [&] {
     const SolveReport solved = project(velocity, input, options.pressure);
-    costs.iterated("pressure", solved.iterations);
+    costs.iterated("pressure", solved.iterations, solved.residual);
     last.residual = solved.residual;
   });
   costs.holds("pressure", grid->size() * (6 * sizeof(double) + 1));
@@ -196,7 +200,7 @@ void Fluid::State::bring_forward(SurfaceTracker& surface, double dt) {
   add_force(velocity, options.gravity * by);
   if (solids.any()) {
     costs.timed("solids", [&] { faces = faces_of(solids, *grid, then); });
-    costs.holds("solids", faces.memory());
+    costs.holds("solids", faces.memory() + solids.memory());
   }
   StepState step{velocity, liquid, faces, solids, surface.surface(), time, by};
   effects->stress(step);

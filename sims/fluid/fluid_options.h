@@ -17,7 +17,8 @@ struct FluidOptions {
   Point origin = Point::Zero();
   double density = 1000;
   Point gravity = Point::Zero();
-  /// Cells that the fastest liquid or solid may cross in a step; frames are cut into equal steps.
+  /// Cells that the fastest liquid or solid may cross in a step; frames are cut into steps,
+  /// equal ones but for what the speed asks for meanwhile.
   double cfl = 2;
   /// Of a frame; what would take more is run with a larger CFL number, and with no more surface
   /// tension than such steps hold stable (stable_share).

@@ -79,9 +79,10 @@ void read_effects(TomlTable& fluid, FluidOptions& o) {
   read_effect(fluid, "viscoelasticity", [&](Keys& keys) {
     ElasticOptions e;
     e.modulus = keys.number("modulus", Range::at_least(0));
-    e.yield_strain = keys.number("yield_strain", Range::above(0), e.yield_strain);
-    e.flow_rate = keys.number("flow_rate", Range::at_least(0), e.flow_rate);
-    e.relaxation_time = keys.number("relaxation_time", Range::above(0), e.relaxation_time);
+    e.yield_strain = keys.number("yield_strain", Range::above(0).or_infinite(), e.yield_strain);
+    e.flow_rate = keys.number("flow_rate", Range::at_least(0).or_infinite(), e.flow_rate);
+    e.relaxation_time =
+        keys.number("relaxation_time", Range::above(0).or_infinite(), e.relaxation_time);
     e.no_slip = keys.flag("no_slip", o.no_slip);  // viscosity's, unless it has its own
     o.viscoelasticity = e;
   });
@@ -89,10 +90,10 @@ void read_effects(TomlTable& fluid, FluidOptions& o) {
               [&](Keys& keys) { o.surface_tension = keys.number("tension", Range::at_least(0)); });
   read_effect(fluid, "volume_control", [&](Keys& keys) {
     VolumeControlOptions v;
-    v.relaxation = keys.number("relaxation", Range::above(0), v.relaxation);
+    v.relaxation = keys.number("relaxation", Range::above(2), v.relaxation);
     v.damping = keys.number("damping", Range::above(0), v.damping);
-    v.most_shift = keys.number("most_shift", Range::above(0), v.most_shift);
-    v.most_integral = keys.number("most_integral", Range::at_least(0), v.most_integral);
+    v.most_shift = keys.number("most_shift", Range{0, 1, true}, v.most_shift);
+    v.most_integral = keys.number("most_integral", Range::between(0, 1), v.most_integral);
     o.volume_control = v;
   });
 }
@@ -121,7 +122,7 @@ std::shared_ptr<const FluidOptions> read_fluid(TomlTable& scene, const TrackerOp
   o.gravity = keys.vector("gravity", o.gravity);
   o.cfl = keys.number("cfl", Range::above(0), o.cfl);
   o.most_steps = static_cast<int>(keys.integer("most_steps", Range::between(1, 1e6), o.most_steps));
-  o.topology_cells = keys.number("topology_cells", Range::above(0), o.topology_cells);
+  o.topology_cells = keys.number("topology_cells", Range::above(0).or_infinite(), o.topology_cells);
   o.advection = keys.choice("advection", kAdvections, o.advection);
   o.pressure = read_solver(keys, o.pressure);
   keys.done();

@@ -78,8 +78,7 @@ void hand_on(const std::vector<VolumeControl::Body>& before, const BodyGroups& g
 
 }  // namespace
 
-VolumeControl::VolumeControl(const Triangles& surface, const VolumeControlOptions& options)
-    : options_(options), parts_(liquid_bodies(surface)) {
+void check(const VolumeControlOptions& options) {
   require(options.relaxation > 2 && std::isfinite(options.relaxation), "relaxation",
           options.relaxation, "above 2 steps");
   require(options.damping > 0, "damping", options.damping, "above 0");
@@ -87,6 +86,11 @@ VolumeControl::VolumeControl(const Triangles& surface, const VolumeControlOption
           "above 0 and at most 1 cell");
   require(options.most_integral >= 0 && options.most_integral <= 1, "most_integral",
           options.most_integral, "0 to 1");
+}
+
+VolumeControl::VolumeControl(const Triangles& surface, const VolumeControlOptions& options)
+    : options_(options), parts_(liquid_bodies(surface)) {
+  check(options);
   const BodyMeasures now = measure(surface, parts_);
   for (std::size_t b = 0; b < parts_.count; ++b)
     bodies_.push_back({now.volume[b], now.volume[b], now.area[b], 0});

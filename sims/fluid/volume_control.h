@@ -23,6 +23,9 @@ struct VolumeControlOptions {
   double most_integral = 0.02;
 };
 
+/// \throw InvalidInput if an option is out of its range
+void check(const VolumeControlOptions& options);
+
 /// Knows the volume that each body should have, and hands it on when bodies merge and split: call
 /// before_remodel and after_remodel round all that changes triangles, and moved after each
 /// advection.

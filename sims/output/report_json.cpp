@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "kernel/measures.h"
-#include "sims/fluid/fluid.h"
+#include "sims/fluid/frame.h"
 #include "sims/option_names.h"
 
 namespace suture {
@@ -152,14 +152,12 @@ json to_json(const TrackerCost& cost) {
   return {{"seconds", seconds}, {"counts", counts}};
 }
 
-json to_json(const FluidStep& step) {
-  return {{"dt", step.dt},
-          {"cfl", step.cfl},
-          {"cells", step.cells},
-          {"liquid", step.liquid},
-          {"drops", step.drops},
-          {"residual", step.residual},
-          {"tension_share", step.tension_share}};
+json to_json(const FluidFrame& frame) {
+  const FluidStep& step = frame.worst;
+  return {{"steps", frame.steps},      {"dt", step.dt},
+          {"cfl", step.cfl},           {"cells", step.cells},
+          {"liquid", step.liquid},     {"drops", step.drops},
+          {"residual", step.residual}, {"tension_share", step.tension_share}};
 }
 
 json to_json(const std::vector<ModuleCost>& costs) {
@@ -169,7 +167,8 @@ json to_json(const std::vector<ModuleCost>& costs) {
                        {"seconds", c.seconds},
                        {"bytes", c.bytes},
                        {"calls", c.calls},
-                       {"iterations", c.iterations}});
+                       {"iterations", c.iterations},
+                       {"residual", c.residual}});
   return modules;
 }
 

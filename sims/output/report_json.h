@@ -10,7 +10,7 @@
 
 namespace suture {
 
-struct FluidStep;
+struct FluidFrame;
 struct ModuleCost;
 
 /// Every field of the report but the vertex map.
@@ -19,7 +19,7 @@ nlohmann::json to_json(const QualityReport& report);
 nlohmann::json to_json(const Audit& audit);
 nlohmann::json to_json(const TrackerOptions& options);
 nlohmann::json to_json(const TrackerCost& cost);
-nlohmann::json to_json(const FluidStep& step);
+nlohmann::json to_json(const FluidFrame& frame);
 nlohmann::json to_json(const std::vector<ModuleCost>& costs);
 
 /// Counts, volume, area, components, Euler characteristic, angles and edge lengths of a surface.

@@ -3,6 +3,7 @@
 #include <set>
 
 #include "kernel/errors.h"
+#include "kernel/mesh_io.h"
 #include "sims/fluid/fluid_options.h"
 #include "sims/scene.h"
 #include "tests/sims/program.h"
@@ -91,7 +92,77 @@ relaxation = 7
   CHECK(all.fluid->volume_control->relaxation == 7);
 }
 
+TEST_CASE("every key of a fluid is read to where it belongs") {
+  const Scene s = scene(dam("", R"(
+origin = [0.5, 0.25, 0.125]
+density = 900
+cfl = 1.5
+most_steps = 77
+topology_cells = inf
+advection = "semi_lagrangian"
+tolerance = 1e-5
+most_iterations = 88
+[fluid.viscosity]
+viscosity = 3
+tolerance = 1e-4
+most_iterations = 99
+[fluid.viscoelasticity]
+modulus = 5
+yield_strain = inf
+flow_rate = 6
+relaxation_time = 8
+no_slip = false
+[fluid.volume_control]
+damping = 3
+most_shift = 0.5
+most_integral = 0.25
+)"));
+  const FluidOptions& o = *s.fluid;
+  CHECK(o.origin == Point(0.5, 0.25, 0.125));
+  CHECK(o.density == 900);
+  CHECK(o.cfl == 1.5);
+  CHECK(o.most_steps == 77);
+  CHECK(std::isinf(o.topology_cells));
+  CHECK(o.advection == VelocityAdvection::semi_lagrangian);
+  CHECK(o.pressure.tolerance == 1e-5);
+  CHECK(o.pressure.most_iterations == 88);
+  CHECK(o.no_slip);
+  CHECK(o.viscous_solver.tolerance == 1e-4);
+  CHECK(o.viscous_solver.most_iterations == 99);
+  CHECK(std::isinf(o.viscoelasticity->yield_strain));
+  CHECK(o.viscoelasticity->flow_rate == 6);
+  CHECK(o.viscoelasticity->relaxation_time == 8);
+  CHECK(!o.viscoelasticity->no_slip);
+  CHECK(o.volume_control->damping == 3);
+  CHECK(o.volume_control->most_shift == 0.5);
+  CHECK(o.volume_control->most_integral == 0.25);
+}
+
+TEST_CASE("every key of a solid is read to where it belongs") {
+  const Scene s = scene(dam(R"(
+[[solids]]
+kind = "ball"
+centre = [1, 2, 3]
+radius = 0.25
+velocity = [0, 0.5, 0]
+amplitude = [0.125, 0, 0]
+period = 4
+)"));
+  const FluidOptions& o = *s.fluid;
+  REQUIRE(o.solids.size() == 2);
+  const SolidOptions& ball = o.solids[1];
+  CHECK(ball.kind == SolidKind::ball);
+  CHECK(ball.centre == Point(1, 2, 3));
+  CHECK(ball.radius == 0.25);
+  CHECK(ball.motion.velocity == Point(0, 0.5, 0));
+  CHECK(ball.motion.amplitude == Point(0.125, 0, 0));
+  CHECK(ball.motion.period == 4);
+}
+
 TEST_CASE("a scene of a fluid that cannot be is refused with its place") {
+  check_refused(dam("", "[fluid.volume_control]\nrelaxation = 2\n"), "relaxation");
+  check_refused(dam("", "[fluid.volume_control]\nmost_shift = 2\n"), "most_shift");
+  check_refused(dam("", "[fluid.viscosity]\nviscosity = inf\n"), "viscosity");
   check_refused(dam("[motion]\nkind = \"rotation\"\n"), "[fluid]");
   check_refused(dam("", "densty = 3\n"), "density");
   check_refused(dam("", "density = 0\n"), "density");
@@ -140,9 +211,14 @@ TEST_CASE("a solid can be any closed mesh, and liquid stays out of it") {
   const Folder folder;
   const auto report = report_of(
       folder, dam("[[solids]]\nkind = \"mesh\"\nshape = \"sphere\"\nparameters = { radius = 0.12, "
-                  "edge_length = 0.05 }\ntranslate = [0.7, 0.12, 0.25]\n[meshes]\nevery = 10\n"));
+                  "edge_length = 0.05 }\ntranslate = [0.6, 0.12, 0.25]\n[meshes]\nevery = 10\n"));
   CHECK(report["summary"]["finished"] == true);
   CHECK(report["audit"]["closed_manifold"] == true);
+  double nearest = 1;
+  for (const Point& p : read_triangles(folder / "out/00010.ply").positions)
+    nearest = std::min(nearest, (p - Point(0.6, 0.12, 0.25)).norm());
+  CHECK(nearest < 0.14);  // the wave has come to it
+  CHECK(nearest > 0.11);  // to a tenth of a cell, and what the ball's facets cut off
 }
 
 TEST_CASE("a fluid has nothing exact to be measured against, and says so") {
