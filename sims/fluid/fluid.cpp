@@ -107,6 +107,7 @@ struct Fluid::State {
   }
   void advect(SurfaceTracker& surface, const VelocityField& field, double dt);
   void move(SurfaceTracker& surface, double dt);
+  void dry_up();
 };
 
 /// Cells round the liquid that the surface and the paths back may come to within a step.
@@ -183,6 +184,7 @@ Fluid::~Fluid() = default;
 int Fluid::steps_in(double left) const {
   const State& s = *state_;
   const FluidOptions& o = s.options;
+  if (s.started() && s.grid->size() == 0) return 1;  // no liquid is left that could be too fast
   const double speed =
       std::max(s.started() ? largest_component(s.velocity) : 0, s.solids.fastest());
   // What falls with g from this speed crosses cfl cells in the root of g t² + speed t = cfl h.
@@ -221,11 +223,28 @@ void Fluid::State::bring_forward(SurfaceTracker& surface, double dt) {
   last.cfl = largest_component(velocity) * dt / options.cell_size;
 }
 
+/// No liquid is left: nothing is told of what there was.
+void Fluid::State::dry_up() {
+  auto none =
+      std::make_unique<SparseGrid>(options.origin, options.cell_size, std::vector<Index3>{});
+  liquid = {};
+  liquid.grid = none.get();
+  if (started()) effects->carry(velocity, liquid, last_dt);
+  velocity = MacVelocity(*none);
+  drops.clear();
+  faces = {};
+  last = {};
+  grid = std::move(none);
+}
+
 void Fluid::step(SurfaceTracker& surface, double dt) {
   State& s = *state_;
   if (!(dt > 0) || !std::isfinite(dt)) throw InvalidInput("fluid: a step must be above 0 long");
   s.at_solids.reset();
-  if (!surface.surface().triangles.empty()) s.bring_forward(surface, dt);
+  if (surface.surface().triangles.empty())
+    s.dry_up();
+  else
+    s.bring_forward(surface, dt);
   s.move(surface, dt);
   s.since_surgery += s.last.cfl;
   s.last.dt = s.last_dt = dt;

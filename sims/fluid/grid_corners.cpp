@@ -5,6 +5,13 @@
 #include <cmath>
 
 namespace suture {
+namespace {
+
+/// Known faces that weigh less, of 1, do so by rounding alone: p is where none is known, and a
+/// quotient of two such sums would be noise.
+constexpr double kLeastWeight = 1e-12;
+
+}  // namespace
 
 GridCorners::GridCorners(const SparseGrid& grid, const std::array<double, 3>& within,
                          const Point& p) {
@@ -43,7 +50,7 @@ double GridCorners::value(const std::vector<double>& values, const std::vector<s
     sum += w * values[s];
     weights += w;
   }
-  return weights > 1e-12 ? (weights == 1 ? sum : sum / weights) : fallback;
+  return weights > kLeastWeight ? (weights == 1 ? sum : sum / weights) : fallback;
 }
 
 GridCorners::Bounds GridCorners::bounds(const std::vector<double>& values,

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "kernel/measures.h"
 #include "sims/fluid/surface_cells.h"
@@ -124,6 +125,35 @@ LiquidCells find_liquid(const Triangles& surface, const DistanceFunction& distan
   return cells;
 }
 
+namespace {
+
+/// One cell of each block that is within the band of a drop's cells: what drops have of a block
+/// counts as the box round it, so that a block more at most is there, and none a cell.
+void add_round_drops(const std::vector<Drop>& drops, int band, std::vector<Index3>& blocks) {
+  std::map<Index3, CellRange> boxes;  // by block
+  for (const Drop& drop : drops)
+    for (const Index3& c : drop.cells) {
+      const Index3 block{SparseGrid::block_of(c[0]), SparseGrid::block_of(c[1]),
+                         SparseGrid::block_of(c[2])};
+      CellRange& box = boxes.try_emplace(block, CellRange{c, c}).first->second;
+      for (int a = 0; a < 3; ++a) {
+        box.low[a] = std::min(box.low[a], c[a]);
+        box.high[a] = std::max(box.high[a], c[a]);
+      }
+    }
+  for (auto [block, box] : boxes) {
+    for (int a = 0; a < 3; ++a) {
+      box.low[a] = SparseGrid::block_of(box.low[a] - band);
+      box.high[a] = SparseGrid::block_of(box.high[a] + band);
+    }
+    visit_cells(box, [&](const Index3& n) {
+      blocks.push_back({n[0] * kSide, n[1] * kSide, n[2] * kSide});
+    });
+  }
+}
+
+}  // namespace
+
 SparseGrid grid_round(const LiquidCells& cells, int band) {
   const SparseGrid& grid = cells.grid;
   const int reach = (band + kSide - 1) / kSide, width = 2 * reach + 1;
@@ -155,10 +185,7 @@ SparseGrid grid_round(const LiquidCells& cells, int band) {
   for (const LiquidCells::Run& run : cells.deep)
     for (int n = 0; n < run.count; n += kSide)
       blocks.push_back({run.first[0], run.first[1], run.first[2] + n});
-  for (const Drop& drop : cells.drops) {
-    const std::vector<Index3> wide = dilated(drop.cells, band);
-    blocks.insert(blocks.end(), wide.begin(), wide.end());
-  }
+  add_round_drops(cells.drops, band, blocks);
   return {grid.origin(), grid.h(), blocks};
 }
 

@@ -11,13 +11,6 @@ namespace {
 
 constexpr std::int64_t kLargestTable = 1 << 20;  // blocks; beyond it a hash costs less
 
-std::uint64_t key(const Index3& b) {
-  constexpr std::int64_t shift = 1 << 20;
-  std::uint64_t k = 0;
-  for (const int i : b) k = (k << 21) | (static_cast<std::uint64_t>(i + shift) & 0x1fffff);
-  return k;
-}
-
 void sort_unique(std::vector<Index3>& cells) {
   std::sort(cells.begin(), cells.end());
   cells.erase(std::unique(cells.begin(), cells.end()), cells.end());
@@ -53,7 +46,7 @@ SparseGrid::SparseGrid(const Point& origin, double h, const std::vector<Index3>&
   for (std::uint32_t n = 0; n < blocks_.size(); ++n) {
     const Index3& b = blocks_[n];
     if (table_.empty())
-      map_[key(b)] = n;
+      map_[b] = n;
     else
       table_[static_cast<std::size_t>(
           ((b[0] - low_[0]) * extent_[1] + b[1] - low_[1]) * extent_[2] + b[2] - low_[2])] = n;
@@ -71,10 +64,21 @@ SparseGrid::SparseGrid(const Point& origin, double h, const std::vector<Index3>&
 }
 
 std::uint32_t SparseGrid::hashed(const Index3& b) const {
-  for (const int i : b)
-    if (std::abs(i) >= kFurthest / kSide) return kNone;  // a key would be another block's
-  const auto at = map_.find(key(b));
+  const auto at = map_.find(b);
   return at == map_.end() ? kNone : at->second;
+}
+
+/// Each index enters with all its bits and is spread over all of the hash's [Vigna 2015,
+/// splitmix64].
+std::size_t SparseGrid::Hash::operator()(const Index3& b) const {
+  std::uint64_t x = 0;
+  for (const int i : b) {
+    x += static_cast<std::uint32_t>(i) + 0x9e3779b97f4a7c15ULL;
+    x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9ULL;
+    x = (x ^ (x >> 27)) * 0x94d049bb133111ebULL;
+    x ^= x >> 31;
+  }
+  return static_cast<std::size_t>(x);
 }
 
 Index3 SparseGrid::cell_at(const Point& p) const {
@@ -83,23 +87,6 @@ Index3 SparseGrid::cell_at(const Point& p) const {
     c[a] = static_cast<int>(
         std::clamp(std::floor((p[a] - origin_[a]) / h_), -1.0 * kFurthest, 1.0 * kFurthest));
   return c;
-}
-
-std::vector<Index3> dilated(std::vector<Index3> cells, int width) {
-  for (int a = 2; a >= 0; --a) {  // along one axis after another
-    sort_unique(cells);
-    std::vector<Index3> wider;
-    wider.reserve(cells.size() * 2);
-    for (const Index3& c : cells)
-      for (int d = -width; d <= width; ++d) {
-        Index3 n = c;
-        n[a] += d;
-        wider.push_back(n);
-      }
-    cells = std::move(wider);
-  }
-  sort_unique(cells);
-  return cells;
 }
 
 }  // namespace suture

@@ -88,6 +88,9 @@ class SparseGrid {
     return table_[at];
   }
   std::uint32_t hashed(const Index3& b) const;
+  struct Hash {
+    std::size_t operator()(const Index3& b) const;
+  };
 
   double h_ = 0;
   Point origin_ = Point::Zero();
@@ -96,10 +99,7 @@ class SparseGrid {
   // A table over the blocks' box where that is small, else by hash.
   Index3 low_{}, extent_{};
   std::vector<std::uint32_t> table_;
-  std::unordered_map<std::uint64_t, std::uint32_t> map_;
+  std::unordered_map<Index3, std::uint32_t, Hash> map_;
 };
-
-/// All cells within `width` cells of these on each axis, sorted, each once.
-std::vector<Index3> dilated(std::vector<Index3> cells, int width);
 
 }  // namespace suture

@@ -209,7 +209,12 @@ TEST_CASE("two bodies ten thousand cells apart cost what two bodies cost") {
 }
 
 TEST_CASE("boxes hold each active cell once and nothing that does not exist") {
-  const SparseGrid grid(Point::Zero(), 1, dilated({{0, 0, 0}, {30, 2, -40}, {17, 19, 3}}, 9));
+  std::vector<Index3> round;
+  for (const Index3& c : {Index3{0, 0, 0}, Index3{30, 2, -40}, Index3{17, 19, 3}})
+    for (int x = -9; x <= 9; ++x)
+      for (int y = -9; y <= 9; ++y)
+        for (int z = -9; z <= 9; ++z) round.push_back({c[0] + x, c[1] + y, c[2] + z});
+  const SparseGrid grid(Point::Zero(), 1, round);
   Random random(6);
   std::vector<std::uint8_t> active(grid.size());
   for (auto& a : active) a = random.below(40) == 0 ? 1 : 0;

@@ -7,6 +7,8 @@
 
 #include "kernel/errors.h"
 #include "kernel/transform.h"
+#include "sims/processes.h"
+#include "tests/sims/fluid/drops.h"
 #include "tests/sims/fluid/liquids.h"
 
 using namespace suture;
@@ -114,6 +116,72 @@ TEST_CASE("two blobs ten thousand cells apart cost as two") {
                           1);
   CHECK(apart.grid.size() == close.grid.size());
   CHECK(apart.liquid.memory() == close.liquid.memory());
+}
+
+TEST_CASE("blobs as far apart as the grid reaches are told apart, and from where there is none") {
+  constexpr int far = 1 << 24, limit = SparseGrid::kFurthest - 100;
+  for (const int away : {far, limit}) {
+    const double d = away;
+    const LiquidScene scene(merged(std::vector{ball({0, 0, 0}, 4, 1), ball({d, -d, d}, 4, 1)}), 1);
+    std::size_t here = 0, there = 0;
+    for (Slot s = 0; s < scene.grid.size(); ++s) {
+      const Index3 c = scene.grid.cell(s);
+      if (scene.grid.find(c) != s) FAIL("slot " << s << " is not where its cell is");
+      if (scene.liquid.inside(s)) ++(std::abs(c[0]) < 100 ? here : there);
+      for (int a = 0; a < 3; ++a)
+        for (const int side : {-1, 1}) {
+          Index3 next = c;
+          next[a] += side;
+          if (scene.grid.neighbour(s, a, side) != scene.grid.find(next)) FAIL("other neighbour");
+        }
+    }
+    CAPTURE(away);
+    CHECK(here == there);
+    CHECK(here > 200);
+    // Cells that any power of two of blocks takes to one that is there.
+    for (int shift = 10; shift < 29; ++shift)
+      for (const int x : {-1, 0, 1})
+        for (const int y : {-1, 0, 1})
+          for (const int z : {-1, 0, 1}) {
+            const int by = 1 << shift;
+            const Index3 c{x * by, y * by, z * by};
+            const bool one = c == Index3{0, 0, 0} || c == Index3{away, -away, away};
+            CHECK((scene.grid.find(c) != kNoSlot) == one);
+          }
+  }
+  // Two blocks 2^21 apart on one axis were one.
+  const SparseGrid grid(Point::Zero(), 1, {{0, 0, 0}, {far, 0, 0}, {0, -far, 0}, {0, 0, 8 * far}});
+  CHECK(grid.size() == 4 * SparseGrid::kCells);
+  for (Slot s = 0; s < grid.size(); ++s)
+    if (grid.find(grid.cell(s)) != s) FAIL("slot " << s << " is not where its cell is");
+  for (const int x : {-far, 0, far}) CHECK((grid.find({x, far, 0}) == kNoSlot));
+}
+
+TEST_CASE("drops have the band round them, and a thousand a wide one at the price of its blocks") {
+  Random random(11);
+  std::vector<Triangles> drops;
+  for (int n = 0; n < 1000; ++n) drops.push_back(ball(80 * random_vector(random), 0.3, 0.3));
+  const Triangles surface = merged(drops);
+  const LiquidCells cells = find_liquid(
+      surface, [](const Point&) { return 0.3; }, Point::Zero(), 1);  // asked far from the surface
+  REQUIRE(cells.drops.size() == 1000);
+  const int band = 40;
+  const double start = process_seconds();
+  forget_peak();
+  const double held = peak_megabytes();
+  const SparseGrid grid = grid_round(cells, band);
+  const double seconds = process_seconds() - start, megabytes = peak_megabytes() - held;
+  CAPTURE(seconds, megabytes);
+  CHECK(seconds < 2);
+  CHECK(megabytes < 200);
+  for (const Drop& drop : cells.drops)
+    for (const Index3& c : drop.cells)
+      for (const int x : {-band, 0, band})
+        for (const int y : {-band, 0, band})
+          for (const int z : {-band, 0, band})
+            if (grid.find({c[0] + x, c[1] + y, c[2] + z}) == kNoSlot) FAIL("no band at a drop");
+  // The cube of all drops with the band, rounded up to blocks on either side.
+  CHECK(grid.blocks().size() <= 33 * 33 * 33);
 }
 
 TEST_CASE("no surface is no liquid, and what cannot be on the grid is refused") {
