@@ -127,9 +127,22 @@ LiquidCells find_liquid(const Triangles& surface, const DistanceFunction& distan
 
 namespace {
 
+/// Blocks, of which many are named again and again: no more are held than some twice those there.
+struct BlockList {
+  static constexpr std::size_t kFew = 4096;
+  std::vector<Index3> all;
+  std::size_t known = 0;  ///< the first so many are sorted, each once
+
+  void tidy() {
+    if (all.size() < 2 * known + kFew) return;
+    make_set(all);
+    known = all.size();
+  }
+};
+
 /// One cell of each block that is within the band of a drop's cells: what drops have of a block
 /// counts as the box round it, so that a block more at most is there, and none a cell.
-void add_round_drops(const std::vector<Drop>& drops, int band, std::vector<Index3>& blocks) {
+void add_round_drops(const std::vector<Drop>& drops, int band, BlockList& blocks) {
   std::map<Index3, CellRange> boxes;  // by block
   for (const Drop& drop : drops)
     for (const Index3& c : drop.cells) {
@@ -147,8 +160,9 @@ void add_round_drops(const std::vector<Drop>& drops, int band, std::vector<Index
       box.high[a] = SparseGrid::block_of(box.high[a] + band);
     }
     visit_cells(box, [&](const Index3& n) {
-      blocks.push_back({n[0] * kSide, n[1] * kSide, n[2] * kSide});
+      blocks.all.push_back({n[0] * kSide, n[1] * kSide, n[2] * kSide});
     });
+    blocks.tidy();
   }
 }
 
@@ -157,7 +171,7 @@ void add_round_drops(const std::vector<Drop>& drops, int band, std::vector<Index
 SparseGrid grid_round(const LiquidCells& cells, int band) {
   const SparseGrid& grid = cells.grid;
   const int reach = (band + kSide - 1) / kSide, width = 2 * reach + 1;
-  std::vector<Index3> blocks;
+  BlockList blocks;
   for (std::size_t b = 0; b < grid.blocks().size(); ++b) {
     // Which of the blocks round this one come within the band of one of its cells.
     std::vector<std::uint8_t> wanted(static_cast<std::size_t>(width * width * width), 0);
@@ -179,14 +193,15 @@ SparseGrid grid_round(const LiquidCells& cells, int band) {
       if (wanted[static_cast<std::size_t>((n[0] * width + n[1]) * width + n[2])] == 0) return;
       Index3 block = grid.blocks()[b];
       for (int a = 0; a < 3; ++a) block[a] += (n[a] - reach) * kSide;
-      blocks.push_back(block);
+      blocks.all.push_back(block);
     });
+    blocks.tidy();
   }
   for (const LiquidCells::Run& run : cells.deep)
     for (int n = 0; n < run.count; n += kSide)
-      blocks.push_back({run.first[0], run.first[1], run.first[2] + n});
+      blocks.all.push_back({run.first[0], run.first[1], run.first[2] + n});
   add_round_drops(cells.drops, band, blocks);
-  return {grid.origin(), grid.h(), blocks};
+  return {grid.origin(), grid.h(), blocks.all};
 }
 
 double Liquid::share(int axis, Slot face) const {

@@ -172,8 +172,8 @@ TEST_CASE("drops have the band round them, and a thousand a wide one at the pric
   const SparseGrid grid = grid_round(cells, band);
   const double seconds = process_seconds() - start, megabytes = peak_megabytes() - held;
   CAPTURE(seconds, megabytes);
-  CHECK(seconds < 2);
-  CHECK(megabytes < 200);
+  CHECK(seconds < 2);  // measured: 0.4, and 3 MB
+  CHECK(megabytes < 50);
   for (const Drop& drop : cells.drops)
     for (const Index3& c : drop.cells)
       for (const int x : {-band, 0, band})

@@ -1,0 +1,57 @@
+// The fluid on any number of threads.
+#include <tbb/global_control.h>
+
+#include <catch2/catch.hpp>
+
+#include "kernel/shapes.h"
+#include "sims/fluid/frame.h"
+#include "sims/rivals/level_set.h"
+#include "sims/rivals/mesh_tracker.h"
+#include "tests/sims/fluid/watched.h"
+
+using namespace suture;
+
+namespace {
+
+std::unique_ptr<SurfaceTracker> tracked(bool mesh, const Triangles& liquid, double cell) {
+  const Point origin = Point(0.011, 0.013, 0.007) * cell;
+  if (!mesh) {
+    LevelSetOptions o;
+    o.cell_size = cell;
+    o.origin = origin;
+    return make_level_set_tracker(liquid, o);
+  }
+  TrackerOptions o;
+  o.cell_size = cell;
+  o.origin = origin;
+  o.quality.keep_features = false;
+  return make_mesh_tracker(liquid, o, {kWhenItSettles, kWhenItSettles});
+}
+
+Triangles dam_after(int frames, int threads, bool mesh) {
+  const tbb::global_control most(tbb::global_control::max_allowed_parallelism,
+                                 static_cast<std::size_t>(threads));
+  FluidOptions o = tank();
+  o.volume_control.emplace();
+  o.viscosity = 0.1;
+  o.surface_tension = 0.07;
+  Fluid fluid(o, [](const Point&) -> Point { return Point::Zero(); });
+  const auto surface = tracked(mesh, column(), o.cell_size);
+  for (int i = 1; i <= frames; ++i) {
+    run_frame(fluid, *surface, 0.05 * i, o.most_steps, true, {});
+    settle(fluid, *surface);
+  }
+  return surface->surface();
+}
+
+}  // namespace
+
+TEST_CASE("a dam breaks to the same bits on one thread and on several") {
+  for (const bool mesh : {true, false}) {
+    const Triangles one = dam_after(6, 1, mesh), several = dam_after(6, 4, mesh);
+    CAPTURE(mesh);
+    CHECK(one.positions.size() > 100);
+    CHECK(one.positions == several.positions);
+    CHECK(one.triangles == several.triangles);
+  }
+}
