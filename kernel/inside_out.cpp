@@ -13,6 +13,7 @@
 #include "kernel/measures.h"
 #include "kernel/mesh.h"
 #include "kernel/orientation.h"
+#include "kernel/sort_unique.h"
 
 namespace suture {
 
@@ -129,8 +130,7 @@ Triangles alone(const Triangles& surface, const Component& part) {
   std::vector<std::uint32_t> vertices;
   for (const std::uint32_t i : part.triangles)
     vertices.insert(vertices.end(), surface.triangles[i].begin(), surface.triangles[i].end());
-  std::sort(vertices.begin(), vertices.end());
-  vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+  sort_unique(vertices);
   Triangles result;
   for (const std::uint32_t v : vertices) result.positions.push_back(surface.positions[v]);
   for (const std::uint32_t i : part.triangles) {

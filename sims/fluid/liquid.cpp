@@ -9,6 +9,7 @@
 #include <map>
 
 #include "kernel/measures.h"
+#include "kernel/sort_unique.h"
 #include "sims/fluid/surface_cells.h"
 
 namespace suture {
@@ -57,12 +58,6 @@ void visit_cells(const CellRange& range, Visit visit) {
       for (int z = range.low[2]; z <= range.high[2]; ++z) visit(Index3{x, y, z});
 }
 
-template <class T>
-void make_set(std::vector<T>& items) {
-  std::sort(items.begin(), items.end());
-  items.erase(std::unique(items.begin(), items.end()), items.end());
-}
-
 /// Bodies of which no triangle has a cell inside next to it hold no cell's centre.
 void find_drops(const Triangles& surface, LiquidCells& cells) {
   const Components bodies = components(surface);
@@ -91,8 +86,8 @@ void find_drops(const Triangles& surface, LiquidCells& cells) {
     visit_cells(round(t, 0.5), [&](const Index3& c) { drop.cells.push_back(c); });
   }
   for (Drop& drop : cells.drops) {
-    make_set(drop.vertices);
-    make_set(drop.cells);
+    sort_unique(drop.vertices);
+    sort_unique(drop.cells);
   }
 }
 
@@ -135,7 +130,7 @@ struct BlockList {
 
   void tidy() {
     if (all.size() < 2 * known + kFew) return;
-    make_set(all);
+    sort_unique(all);
     known = all.size();
   }
 };

@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "kernel/nearest_triangle.h"
+#include "kernel/sort_unique.h"
 #include "sims/fluid/liquid.h"
 
 namespace suture {
@@ -158,8 +159,7 @@ Liquid liquid_on(const SparseGrid& grid, const LiquidCells& cells, const Triangl
   for (const Drop& drop : cells.drops)
     for (const Index3& c : drop.cells)
       if (const Slot s = grid.find(c); s != kNoSlot) liquid.drops.push_back(s);
-  std::sort(liquid.drops.begin(), liquid.drops.end());
-  liquid.drops.erase(std::unique(liquid.drops.begin(), liquid.drops.end()), liquid.drops.end());
+  sort_unique(liquid.drops);
   if (solids.any()) cross_planes(liquid, continue_into(liquid, near, surface, solids, t));
   return liquid;
 }

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "kernel/sort_unique.h"
+
 namespace suture {
 namespace {
 
@@ -42,8 +44,7 @@ void extrapolate(MacVelocity& velocity, int layers) {
     for (Slot s = 0; s < grid.size(); ++s)
       if (known[s] != 0) add_unknown_neighbours(s, front);
     for (int layer = 0; layer < layers && !front.empty(); ++layer) {
-      std::sort(front.begin(), front.end());
-      front.erase(std::unique(front.begin(), front.end()), front.end());
+      sort_unique(front);
       for (const Slot s : front) {
         double sum = 0;
         int count = 0;

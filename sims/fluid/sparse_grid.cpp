@@ -5,16 +5,12 @@
 #include <cmath>
 
 #include "kernel/errors.h"
+#include "kernel/sort_unique.h"
 
 namespace suture {
 namespace {
 
 constexpr std::int64_t kLargestTable = 1 << 20;  // blocks; beyond it a hash costs less
-
-void sort_unique(std::vector<Index3>& cells) {
-  std::sort(cells.begin(), cells.end());
-  cells.erase(std::unique(cells.begin(), cells.end()), cells.end());
-}
 
 }  // namespace
 
