@@ -9,6 +9,7 @@
 #include "kernel/measures.h"
 #include "kernel/shapes.h"
 #include "kernel/transform.h"
+#include "sims/fluid/frame.h"
 #include "sims/rivals/mesh_tracker.h"
 
 using namespace suture;
@@ -142,9 +143,7 @@ TEST_CASE("a dam breaks, stays closed and in its tank, and keeps its volume and 
   for (int frame = 0; frame < 20; ++frame) {
     const int steps = fluid.steps_in(0.02);
     for (int i = 0; i < steps; ++i) fluid.step(*surface, 0.02 / steps);
-    fluid.before_remodel(surface->surface());
-    surface->settle();
-    fluid.after_remodel(surface->surface());
+    settle(fluid, *surface);
     REQUIRE(audit(surface->surface()).closed_manifold());
     const LiquidMeasures now = fluid.measures();
     if (frame == 0) energy = now.kinetic_energy + now.potential_energy;

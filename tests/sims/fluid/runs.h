@@ -9,7 +9,7 @@
 #include "kernel/measures.h"
 #include "kernel/shapes.h"
 #include "kernel/transform.h"
-#include "sims/fluid/fluid.h"
+#include "sims/fluid/frame.h"
 #include "sims/rivals/mesh_tracker.h"
 #include "tests/sims/fluid/blobs.h"
 #include "tests/sims/fluid/drops.h"
@@ -55,9 +55,7 @@ struct Run {
   void frame(double dt) {
     const int steps = fluid.steps_in(dt);
     for (int i = 0; i < steps; ++i) fluid.step(*surface, dt / steps);
-    fluid.before_remodel(surface->surface());
-    surface->settle();
-    fluid.after_remodel(surface->surface());
+    settle(fluid, *surface);
   }
   const std::vector<Point>& points() { return surface->surface().positions; }
   double volume() { return suture::volume(surface->surface()); }
