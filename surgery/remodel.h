@@ -2,9 +2,9 @@
 #pragma once
 
 #include "kernel/trace.h"
-#include "surgery/options.h"
-#include "surgery/report.h"
-#include "surgery/surface.h"
+#include "surgery/model/options.h"
+#include "surgery/model/report.h"
+#include "surgery/model/surface.h"
 
 namespace suture {
 

@@ -8,14 +8,14 @@
 
 #include "kernel/audit.h"
 #include "kernel/errors.h"
-#include "kernel/mesh_io.h"
+#include "kernel/formats/mesh_io.h"
 #include "predicates/floating_point.h"
 #include "surgery/advect.h"
-#include "surgery/budget.h"
-#include "surgery/quality.h"
+#include "surgery/detect/budget.h"
+#include "surgery/quality/improve.h"
 #include "surgery/remodel.h"
-#include "surgery/tracker_lattice.h"
-#include "surgery/unit.h"
+#include "surgery/model/tracker_lattice.h"
+#include "surgery/model/unit.h"
 
 namespace suture {
 

@@ -6,7 +6,7 @@
 #include <optional>
 #include <string>
 
-#include "kernel/mesh_io.h"
+#include "kernel/formats/mesh_io.h"
 
 namespace suture {
 

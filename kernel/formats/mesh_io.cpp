@@ -1,7 +1,7 @@
 // Formats by extension. Why not CGAL's readers (5.5.1, tried on the files of the tests): they
 // report false instead of a line and a reason, accept NaN in binary PLY and STL, indices out of
 // range in PLY and bytes after the last element, and refuse OBJ with weights or joined lines.
-#include "kernel/mesh_io.h"
+#include "kernel/formats/mesh_io.h"
 
 #include <algorithm>
 #include <string>

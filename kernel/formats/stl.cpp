@@ -4,7 +4,7 @@
 #include "kernel/formats/bytes.h"
 #include "kernel/formats/formats.h"
 #include "kernel/formats/text.h"
-#include "kernel/weld.h"
+#include "kernel/repair/weld.h"
 
 namespace suture {
 

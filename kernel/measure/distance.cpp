@@ -1,6 +1,6 @@
 // Systematic sampling: one sample for every equal share of area, placed in its triangle by the
 // additive sequence of the plastic number, which fills a square evenly.
-#include "kernel/distance.h"
+#include "kernel/measure/distance.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -8,7 +8,7 @@
 #include <string>
 
 #include "kernel/errors.h"
-#include "kernel/nearest_triangle.h"
+#include "kernel/measure/nearest_triangle.h"
 
 namespace suture {
 

@@ -1,6 +1,6 @@
 // Volume, area, angles and components; lengths are scaled before they are squared, so that no
 // surface is too large or too small for them.
-#include "kernel/measures.h"
+#include "kernel/measure/measures.h"
 
 #include <Eigen/Geometry>
 

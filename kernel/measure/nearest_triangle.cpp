@@ -1,7 +1,7 @@
 // A tree of boxes of our own. CGAL's AABB_tree, tried on the horse (97k triangles): 3.3 times
 // slower to build, 2.8 times to ask, and on a sliver 1e-12 wide it was 2e-14 off, where this is
 // exact.
-#include "kernel/nearest_triangle.h"
+#include "kernel/measure/nearest_triangle.h"
 
 #include <Eigen/Geometry>
 

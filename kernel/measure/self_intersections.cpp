@@ -1,6 +1,6 @@
 // CGAL's box intersection finds the candidates, its exact predicates decide. The rules for shared
 // vertices are those of Polygon_mesh_processing, which itself takes manifold meshes only.
-#include "kernel/self_intersections.h"
+#include "kernel/measure/self_intersections.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/box_intersection_d.h>

@@ -1,6 +1,6 @@
 // Windings are counted along the ray from p in the direction of the first axis, with p shifted by
 // (0, ε₁, ε₂), ε₁ ≫ ε₂ > 0: no ray meets an edge or a vertex, and no case is special.
-#include "kernel/signed_distance.h"
+#include "kernel/measure/signed_distance.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 

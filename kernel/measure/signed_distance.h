@@ -1,7 +1,7 @@
 // Signed distance to a closed surface: to the nearest triangle, with the sign of an exact winding.
 #pragma once
 
-#include "kernel/nearest_triangle.h"
+#include "kernel/measure/nearest_triangle.h"
 #include "kernel/triangles.h"
 
 namespace suture {

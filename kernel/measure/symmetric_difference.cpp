@@ -1,5 +1,5 @@
 // The volume that is inside one surface and not the other, along lines that cross both.
-#include "kernel/symmetric_difference.h"
+#include "kernel/measure/symmetric_difference.h"
 
 #include <algorithm>
 #include <array>
@@ -11,7 +11,7 @@
 
 #include "kernel/errors.h"
 #include "kernel/lattice.h"
-#include "kernel/nearest_triangle.h"
+#include "kernel/measure/nearest_triangle.h"
 
 namespace suture {
 namespace {

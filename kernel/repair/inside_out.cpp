@@ -10,9 +10,9 @@
 
 #include "kernel/corners.h"
 #include "kernel/lattice.h"
-#include "kernel/measures.h"
+#include "kernel/measure/measures.h"
 #include "kernel/mesh.h"
-#include "kernel/orientation.h"
+#include "kernel/repair/orientation.h"
 #include "kernel/sort_unique.h"
 
 namespace suture {

@@ -1,10 +1,10 @@
 // Consistent orientation, by walking over edges that exactly two triangles share.
-#include "kernel/orientation.h"
+#include "kernel/repair/orientation.h"
 
 #include <algorithm>
 
 #include "kernel/corners.h"
-#include "kernel/measures.h"
+#include "kernel/measure/measures.h"
 
 namespace suture {
 

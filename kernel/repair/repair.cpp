@@ -1,5 +1,5 @@
 // The steps of a repair, each of which leaves the surface valid for the next.
-#include "kernel/repair.h"
+#include "kernel/repair/repair.h"
 
 #include <algorithm>
 #include <array>
@@ -8,8 +8,8 @@
 #include "kernel/audit.h"
 #include "kernel/corners.h"
 #include "kernel/errors.h"
-#include "kernel/orientation.h"
-#include "kernel/weld.h"
+#include "kernel/repair/orientation.h"
+#include "kernel/repair/weld.h"
 
 namespace suture {
 

@@ -1,5 +1,5 @@
 // Open addressing over the bits of the coordinates; only ever asked, never iterated.
-#include "kernel/weld.h"
+#include "kernel/repair/weld.h"
 
 #include <bit>
 

@@ -1,7 +1,7 @@
 // A four-legged animal with thin legs: a smooth union of tapered capsules [Figures 8 and 12].
-#include "kernel/capsules.h"
-#include "kernel/shape_checks.h"
-#include "kernel/shapes.h"
+#include "kernel/shapes/capsules.h"
+#include "kernel/shapes/checks.h"
+#include "kernel/shapes/shapes.h"
 
 namespace suture {
 

@@ -1,12 +1,12 @@
 // A smooth union of tapered capsules, and its surface: what animals and hands are made of.
-#include "kernel/capsules.h"
+#include "kernel/shapes/capsules.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 
-#include "kernel/isosurface.h"
-#include "kernel/relax.h"
+#include "kernel/shapes/isosurface.h"
+#include "kernel/shapes/relax.h"
 
 namespace suture {
 namespace {

@@ -5,9 +5,9 @@
 #include <numbers>
 
 #include "kernel/random.h"
-#include "kernel/relax.h"
-#include "kernel/shape_checks.h"
-#include "kernel/shapes.h"
+#include "kernel/shapes/relax.h"
+#include "kernel/shapes/checks.h"
+#include "kernel/shapes/shapes.h"
 
 namespace suture {
 

@@ -1,11 +1,11 @@
 // The shapes by name, for the command line and scenes.
-#include "kernel/shape_catalogue.h"
+#include "kernel/shapes/catalogue.h"
 
 #include <cmath>
 #include <functional>
 
 #include "kernel/errors.h"
-#include "kernel/shapes.h"
+#include "kernel/shapes/shapes.h"
 
 namespace suture {
 

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "kernel/errors.h"
-#include "kernel/shapes.h"
+#include "kernel/shapes/shapes.h"
 
 namespace suture {
 

@@ -3,10 +3,10 @@
 #include <cmath>
 #include <numbers>
 
-#include "kernel/shape_checks.h"
-#include "kernel/shapes.h"
+#include "kernel/shapes/checks.h"
+#include "kernel/shapes/shapes.h"
 #include "kernel/sparse_field.h"
-#include "kernel/transform.h"
+#include "kernel/shapes/transform.h"
 
 namespace suture {
 

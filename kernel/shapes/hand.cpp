@@ -1,7 +1,7 @@
 // A hand with its fingers spread: a smooth union of tapered capsules [Figure 10].
-#include "kernel/capsules.h"
-#include "kernel/shape_checks.h"
-#include "kernel/shapes.h"
+#include "kernel/shapes/capsules.h"
+#include "kernel/shapes/checks.h"
+#include "kernel/shapes/shapes.h"
 
 namespace suture {
 namespace {

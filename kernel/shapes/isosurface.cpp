@@ -1,12 +1,12 @@
 // The zero surface of a smooth function by marching tetrahedra: closed, manifold, embedded.
-#include "kernel/isosurface.h"
+#include "kernel/shapes/isosurface.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 
 #include "kernel/errors.h"
-#include "kernel/marching_tetrahedra.h"
+#include "kernel/shapes/marching_tetrahedra.h"
 
 namespace suture {
 

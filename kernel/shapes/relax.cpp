@@ -1,5 +1,5 @@
 // Better-shaped triangles without a new vertex: flips, and vertices that slide along the surface.
-#include "kernel/relax.h"
+#include "kernel/shapes/relax.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>

@@ -1,5 +1,5 @@
 // Rows of vertices, and the strips of triangles between them; surfaces of revolution.
-#include "kernel/rings.h"
+#include "kernel/shapes/rings.h"
 
 #include <algorithm>
 #include <cmath>

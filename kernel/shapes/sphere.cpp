@@ -3,9 +3,9 @@
 #include <cmath>
 #include <numbers>
 
-#include "kernel/measures.h"
-#include "kernel/shape_checks.h"
-#include "kernel/shapes.h"
+#include "kernel/measure/measures.h"
+#include "kernel/shapes/checks.h"
+#include "kernel/shapes/shapes.h"
 
 namespace suture {
 

@@ -1,5 +1,5 @@
 // Moving, scaling, turning and gathering whole surfaces.
-#include "kernel/transform.h"
+#include "kernel/shapes/transform.h"
 
 #include <Eigen/Geometry>
 #include <cmath>

@@ -5,11 +5,11 @@
 #include <numbers>
 #include <span>
 
-#include "kernel/relax.h"
-#include "kernel/rings.h"
-#include "kernel/shape_checks.h"
-#include "kernel/shapes.h"
-#include "kernel/transform.h"
+#include "kernel/shapes/relax.h"
+#include "kernel/shapes/rings.h"
+#include "kernel/shapes/checks.h"
+#include "kernel/shapes/shapes.h"
+#include "kernel/shapes/transform.h"
 
 namespace suture {
 

@@ -1,9 +1,9 @@
 // The ways to track a surface that a scene can name, with their options, and whichever it names.
-#include "sims/rivals/method.h"
+#include "sims/baselines/method.h"
 
 #include "kernel/errors.h"
-#include "sims/rivals/mesh_tracker.h"
-#include "sims/scene.h"
+#include "sims/tracking/mesh_tracker.h"
+#include "sims/scene/scene.h"
 
 namespace suture {
 namespace {

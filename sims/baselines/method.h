@@ -3,10 +3,10 @@
 
 #include <memory>
 
-#include "sims/keys.h"
-#include "sims/rivals/level_set.h"
-#include "sims/rivals/particle_level_set.h"
-#include "sims/rivals/semi_lagrangian_contouring.h"
+#include "sims/support/keys.h"
+#include "sims/baselines/level_set/level_set.h"
+#include "sims/baselines/particle_level_set/particle_level_set.h"
+#include "sims/baselines/contouring/semi_lagrangian_contouring.h"
 
 namespace suture {
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "sims/scene.h"
+#include "sims/scene/scene.h"
 
 namespace suture {
 

@@ -4,8 +4,8 @@
 #include <nlohmann/json.hpp>
 
 #include "kernel/audit.h"
-#include "kernel/measures.h"
-#include "kernel/self_intersections.h"
+#include "kernel/measure/measures.h"
+#include "kernel/measure/self_intersections.h"
 #include "sims/cli/commands.h"
 #include "sims/cli/inputs.h"
 #include "sims/output/report_json.h"

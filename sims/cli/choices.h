@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "sims/keys.h"
+#include "sims/support/keys.h"
 
 namespace suture {
 

@@ -4,11 +4,11 @@
 #include <algorithm>
 
 #include "kernel/errors.h"
-#include "kernel/mesh_io.h"
+#include "kernel/formats/mesh_io.h"
 #include "sims/cli/commands.h"
 #include "sims/cli/inputs.h"
 #include "sims/output/render.h"
-#include "sims/scene.h"
+#include "sims/scene/scene.h"
 
 namespace suture {
 namespace {

@@ -14,8 +14,8 @@
 #include "sims/fuzz/case_maker.h"
 #include "sims/fuzz/corpus.h"
 #include "sims/fuzz/execute.h"
-#include "sims/option_names.h"
-#include "sims/version.h"
+#include "sims/scene/option_names.h"
+#include "sims/support/version.h"
 
 namespace suture {
 namespace {

@@ -7,9 +7,9 @@
 
 #include "kernel/audit.h"
 #include "kernel/errors.h"
-#include "kernel/mesh_io.h"
-#include "kernel/repair.h"
-#include "kernel/transform.h"
+#include "kernel/formats/mesh_io.h"
+#include "kernel/repair/repair.h"
+#include "kernel/shapes/transform.h"
 
 namespace suture {
 

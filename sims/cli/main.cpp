@@ -6,7 +6,7 @@
 
 #include "kernel/errors.h"
 #include "sims/cli/commands.h"
-#include "sims/version.h"
+#include "sims/support/version.h"
 
 namespace {
 

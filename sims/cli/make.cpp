@@ -2,11 +2,11 @@
 #include <fmt/format.h>
 
 #include "kernel/errors.h"
-#include "kernel/mesh_io.h"
-#include "kernel/shape_catalogue.h"
+#include "kernel/formats/mesh_io.h"
+#include "kernel/shapes/catalogue.h"
 #include "sims/cli/commands.h"
 #include "sims/cli/inputs.h"
-#include "sims/keys.h"
+#include "sims/support/keys.h"
 
 namespace suture {
 namespace {

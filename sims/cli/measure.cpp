@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "kernel/errors.h"
-#include "sims/accuracy/measurement.h"
+#include "sims/study/measurement.h"
 #include "sims/cli/changes.h"
 #include "sims/cli/commands.h"
 #include "sims/cli/inputs.h"

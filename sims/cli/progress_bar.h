@@ -1,7 +1,7 @@
 // A progress bar for people; silent where nobody watches.
 #pragma once
 
-#include "sims/run.h"
+#include "sims/driver/run.h"
 
 namespace suture {
 

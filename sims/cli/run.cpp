@@ -1,5 +1,5 @@
 // suture run: a scene from start to end.
-#include "sims/run.h"
+#include "sims/driver/run.h"
 
 #include <fmt/format.h>
 

@@ -1,5 +1,5 @@
 // suture trade: a scene over many choices, with what each costs and what it gives.
-#include "sims/trade/trade.h"
+#include "sims/study/trade.h"
 
 #include <fmt/format.h>
 #include <unistd.h>

@@ -1,10 +1,10 @@
 // A scene's frames as a fluid makes them: steps as short as it needs, topology at their ends [§7].
-#include "sims/fluid_steps.h"
+#include "sims/driver/fluid_steps.h"
 
 #include <algorithm>
 
 #include "kernel/errors.h"
-#include "kernel/nearest_triangle.h"
+#include "kernel/measure/nearest_triangle.h"
 
 namespace suture {
 namespace {

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "sims/fluid/frame.h"
-#include "sims/stepper.h"
+#include "sims/driver/stepper.h"
 
 namespace suture {
 

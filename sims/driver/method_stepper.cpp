@@ -1,8 +1,8 @@
 // A scene's steps by whatever method it names: moved, and settled at the end.
-#include "sims/method_stepper.h"
+#include "sims/driver/method_stepper.h"
 
 #include "kernel/errors.h"
-#include "sims/fluid_steps.h"
+#include "sims/driver/fluid_steps.h"
 
 namespace suture {
 

@@ -3,8 +3,8 @@
 
 #include <memory>
 
-#include "sims/rivals/surface_tracker.h"
-#include "sims/stepper.h"
+#include "sims/tracking/surface_tracker.h"
+#include "sims/driver/stepper.h"
 
 namespace suture {
 

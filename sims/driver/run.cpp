@@ -1,5 +1,5 @@
 // The driver loop: a scene's surface moved, remodelled, improved, and written down.
-#include "sims/run.h"
+#include "sims/driver/run.h"
 
 #include <fmt/format.h>
 
@@ -10,16 +10,16 @@
 
 #include "kernel/errors.h"
 #include "kernel/files.h"
-#include "kernel/measures.h"
-#include "kernel/mesh_io.h"
+#include "kernel/measure/measures.h"
+#include "kernel/formats/mesh_io.h"
 #include "sims/flows/vertex_values.h"
 #include "sims/fluid/fluid.h"
-#include "sims/method_stepper.h"
+#include "sims/driver/method_stepper.h"
 #include "sims/output/colours.h"
 #include "sims/output/render.h"
 #include "sims/output/report_json.h"
-#include "sims/stepper.h"
-#include "sims/version.h"
+#include "sims/driver/stepper.h"
+#include "sims/support/version.h"
 
 namespace suture {
 namespace {

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "kernel/audit.h"
-#include "sims/scene.h"
+#include "sims/scene/scene.h"
 
 namespace suture {
 

@@ -3,8 +3,8 @@
 
 #include <cstdint>
 
-#include "sims/rivals/surface_tracker.h"
-#include "sims/scene.h"
+#include "sims/tracking/surface_tracker.h"
+#include "sims/scene/scene.h"
 
 namespace suture {
 

@@ -4,7 +4,7 @@
 #include <Eigen/Geometry>
 #include <cmath>
 
-#include "kernel/measures.h"
+#include "kernel/measure/measures.h"
 #include "sims/flows/vertex_values.h"
 
 namespace suture {

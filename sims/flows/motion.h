@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "sims/keys.h"
+#include "sims/support/keys.h"
 #include "surgery/tracker.h"
 
 namespace suture {

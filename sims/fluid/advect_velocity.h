@@ -1,8 +1,8 @@
 // Velocity carried by itself from one grid to the next.
 #pragma once
 
-#include "sims/fluid/liquid.h"
-#include "sims/fluid/mac_velocity.h"
+#include "sims/fluid/liquid/liquid.h"
+#include "sims/fluid/grid/mac_velocity.h"
 
 namespace suture {
 

@@ -7,10 +7,10 @@
 #include <utility>
 
 #include "kernel/errors.h"
-#include "sims/fluid/effects.h"
+#include "sims/fluid/effects/effects.h"
 #include "sims/fluid/pressure.h"
-#include "sims/fluid/slip.h"
-#include "sims/fluid/small_drops.h"
+#include "sims/fluid/solids/wall_projection.h"
+#include "sims/fluid/liquid/subgrid_droplets.h"
 
 namespace suture {
 namespace {

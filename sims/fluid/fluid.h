@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "sims/fluid/fluid_options.h"
-#include "sims/fluid/liquid_measures.h"
+#include "sims/fluid/liquid/liquid_measures.h"
 #include "sims/fluid/module_cost.h"
-#include "sims/rivals/surface_tracker.h"
+#include "sims/tracking/surface_tracker.h"
 
 namespace suture {
 

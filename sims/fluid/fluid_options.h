@@ -5,10 +5,10 @@
 #include <vector>
 
 #include "sims/fluid/advect_velocity.h"
-#include "sims/fluid/linear_solver.h"
-#include "sims/fluid/solid_options.h"
-#include "sims/fluid/viscoelasticity.h"
-#include "sims/fluid/volume_control.h"
+#include "sims/fluid/linear/linear_solver.h"
+#include "sims/fluid/solids/solid_options.h"
+#include "sims/fluid/effects/viscoelasticity.h"
+#include "sims/fluid/effects/volume_control.h"
 
 namespace suture {
 

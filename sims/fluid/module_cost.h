@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "sims/processes.h"
+#include "sims/support/processes.h"
 
 namespace suture {
 

@@ -1,10 +1,10 @@
 // Makes the velocity of the liquid free of divergence, or of the divergence that is wanted.
 #pragma once
 
-#include "sims/fluid/linear_solver.h"
-#include "sims/fluid/liquid.h"
-#include "sims/fluid/mac_velocity.h"
-#include "sims/fluid/solids.h"
+#include "sims/fluid/linear/linear_solver.h"
+#include "sims/fluid/liquid/liquid.h"
+#include "sims/fluid/grid/mac_velocity.h"
+#include "sims/fluid/solids/solids.h"
 
 namespace suture {
 

@@ -8,8 +8,8 @@
 #include "kernel/errors.h"
 #include "kernel/files.h"
 #include "sims/output/report_json.h"
-#include "sims/scene.h"
-#include "sims/toml_keys.h"
+#include "sims/scene/scene.h"
+#include "sims/scene/toml_keys.h"
 
 namespace suture {
 

@@ -7,8 +7,8 @@
 #include "kernel/random.h"
 #include "sims/fuzz/generators.h"
 #include "sims/fuzz/operation_maker.h"
-#include "sims/fuzz/spoiling.h"
-#include "sims/option_names.h"
+#include "sims/fuzz/perturbation.h"
+#include "sims/scene/option_names.h"
 
 namespace suture {
 

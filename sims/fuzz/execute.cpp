@@ -5,11 +5,11 @@
 #include <cmath>
 
 #include "kernel/errors.h"
-#include "kernel/measures.h"
+#include "kernel/measure/measures.h"
 #include "kernel/random.h"
 #include "sims/flows/motion.h"
 #include "sims/fuzz/operation_maker.h"
-#include "sims/option_names.h"
+#include "sims/scene/option_names.h"
 #include "surgery/tracker.h"
 
 namespace suture {

@@ -1,6 +1,6 @@
 // Frames follow the polyline without twisting more than they must; where it turns back they may
 // collapse.
-#include "sims/fuzz/sweep.h"
+#include "sims/fuzz/extrude.h"
 
 #include <cmath>
 #include <numbers>

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "sims/keys.h"
-#include "surgery/options.h"
+#include "sims/support/keys.h"
+#include "surgery/model/options.h"
 
 namespace suture {
 

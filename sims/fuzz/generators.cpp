@@ -6,11 +6,11 @@
 #include <numbers>
 
 #include "kernel/errors.h"
-#include "kernel/measures.h"
-#include "kernel/shapes.h"
-#include "kernel/transform.h"
-#include "sims/fuzz/sweep.h"
-#include "sims/keys.h"
+#include "kernel/measure/measures.h"
+#include "kernel/shapes/shapes.h"
+#include "kernel/shapes/transform.h"
+#include "sims/fuzz/extrude.h"
+#include "sims/support/keys.h"
 
 namespace suture {
 

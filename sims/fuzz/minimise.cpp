@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "kernel/measures.h"
+#include "kernel/measure/measures.h"
 #include "kernel/trace.h"
 #include "sims/fuzz/smaller.h"
 

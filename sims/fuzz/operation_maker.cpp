@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "sims/flows/motion.h"
-#include "sims/option_names.h"
+#include "sims/scene/option_names.h"
 
 namespace suture {
 

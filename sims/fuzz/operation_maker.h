@@ -3,7 +3,7 @@
 
 #include "kernel/random.h"
 #include "sims/fuzz/case_maker.h"
-#include "sims/fuzz/spoiling.h"
+#include "sims/fuzz/perturbation.h"
 
 namespace suture {
 

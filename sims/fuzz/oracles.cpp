@@ -11,8 +11,8 @@
 #include "kernel/audit.h"
 #include "kernel/errors.h"
 #include "kernel/random.h"
-#include "sims/keys.h"
-#include "surgery/surgery_check.h"
+#include "sims/support/keys.h"
+#include "surgery/check/surgery_check.h"
 #include "surgery/tracker.h"
 
 namespace suture {

@@ -7,8 +7,8 @@
 
 #include "kernel/lattice.h"
 #include "kernel/triangles.h"
-#include "surgery/options.h"
-#include "surgery/report.h"
+#include "surgery/model/options.h"
+#include "surgery/model/report.h"
 
 namespace suture {
 

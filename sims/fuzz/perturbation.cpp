@@ -1,5 +1,5 @@
 // Planes are origin + i · cell rounded once, as the lattice has them: what is snapped lies on them.
-#include "sims/fuzz/spoiling.h"
+#include "sims/fuzz/perturbation.h"
 
 #include <cmath>
 #include <limits>

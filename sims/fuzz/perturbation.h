@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "kernel/triangles.h"
-#include "sims/keys.h"
+#include "sims/support/keys.h"
 
 namespace suture {
 

@@ -8,8 +8,8 @@
 
 #include "kernel/audit.h"
 #include "kernel/lattice.h"
-#include "kernel/measures.h"
-#include "kernel/transform.h"
+#include "kernel/measure/measures.h"
+#include "kernel/shapes/transform.h"
 #include "sims/output/report_json.h"
 
 namespace suture {

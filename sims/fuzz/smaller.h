@@ -2,7 +2,7 @@
 #pragma once
 
 #include "kernel/triangles.h"
-#include "surgery/options.h"
+#include "surgery/model/options.h"
 
 namespace suture {
 

@@ -24,10 +24,10 @@
 #include <numeric>
 
 #include "kernel/errors.h"
-#include "kernel/measures.h"
+#include "kernel/measure/measures.h"
 #include "kernel/random.h"
 #include "sims/fuzz/oracles.h"
-#include "surgery/surgery_check.h"
+#include "surgery/check/surgery_check.h"
 #include "surgery/tracker.h"
 
 namespace suture {

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <array>
 
-#include "kernel/measures.h"
+#include "kernel/measure/measures.h"
 
 namespace suture {
 namespace {

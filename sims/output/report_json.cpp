@@ -3,9 +3,9 @@
 
 #include <nlohmann/json.hpp>
 
-#include "kernel/measures.h"
+#include "kernel/measure/measures.h"
 #include "sims/fluid/frame.h"
-#include "sims/option_names.h"
+#include "sims/scene/option_names.h"
 
 namespace suture {
 namespace {

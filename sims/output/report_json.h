@@ -4,9 +4,9 @@
 #include <nlohmann/json_fwd.hpp>
 
 #include "kernel/audit.h"
-#include "sims/rivals/surface_tracker.h"
-#include "surgery/options.h"
-#include "surgery/report.h"
+#include "sims/tracking/surface_tracker.h"
+#include "surgery/model/options.h"
+#include "surgery/model/report.h"
 
 namespace suture {
 

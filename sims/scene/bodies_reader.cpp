@@ -1,5 +1,5 @@
 // A scene's bodies: shapes and mesh files, repaired where asked, placed, and checked.
-#include "sims/bodies_reader.h"
+#include "sims/scene/bodies_reader.h"
 
 #include <fmt/format.h>
 
@@ -11,8 +11,8 @@
 #include "kernel/errors.h"
 #include "kernel/lattice.h"
 #include "kernel/random.h"
-#include "kernel/repair.h"
-#include "kernel/transform.h"
+#include "kernel/repair/repair.h"
+#include "kernel/shapes/transform.h"
 
 namespace suture {
 namespace {

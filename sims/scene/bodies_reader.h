@@ -1,9 +1,9 @@
 // A scene's bodies: shapes and mesh files, repaired where asked, placed, and checked.
 #pragma once
 
-#include "sims/placed_shape.h"
-#include "sims/scene_sources.h"
-#include "sims/toml_keys.h"
+#include "sims/scene/placed_shape.h"
+#include "sims/scene/scene_sources.h"
+#include "sims/scene/toml_keys.h"
 
 namespace suture {
 

@@ -1,9 +1,9 @@
 // The tables [fluid] and [[solids]] of a scene.
-#include "sims/fluid/fluid_reader.h"
+#include "sims/scene/fluid_reader.h"
 
 #include <limits>
 
-#include "sims/bodies_reader.h"
+#include "sims/scene/bodies_reader.h"
 
 namespace suture {
 namespace {

@@ -4,9 +4,9 @@
 #include <memory>
 
 #include "sims/fluid/fluid_options.h"
-#include "sims/scene_sources.h"
-#include "sims/toml_keys.h"
-#include "surgery/options.h"
+#include "sims/scene/scene_sources.h"
+#include "sims/scene/toml_keys.h"
+#include "surgery/model/options.h"
 
 namespace suture {
 

@@ -2,7 +2,7 @@
 #include <array>
 #include <limits>
 
-#include "sims/rivals/method.h"
+#include "sims/baselines/method.h"
 
 namespace suture {
 namespace {

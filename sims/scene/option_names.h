@@ -3,8 +3,8 @@
 
 #include <array>
 
-#include "sims/keys.h"
-#include "surgery/options.h"
+#include "sims/support/keys.h"
+#include "surgery/model/options.h"
 
 namespace suture {
 

@@ -1,5 +1,5 @@
 // A scene: bodies, what moves them, the tracker's options, time, and what is written down.
-#include "sims/scene.h"
+#include "sims/scene/scene.h"
 
 #include <fmt/format.h>
 #include <Eigen/Geometry>
@@ -10,12 +10,12 @@
 
 #include "kernel/errors.h"
 #include "kernel/files.h"
-#include "kernel/measures.h"
-#include "kernel/shapes.h"
-#include "kernel/transform.h"
-#include "sims/bodies_reader.h"
-#include "sims/fluid/fluid_reader.h"
-#include "sims/option_names.h"
+#include "kernel/measure/measures.h"
+#include "kernel/shapes/shapes.h"
+#include "kernel/shapes/transform.h"
+#include "sims/scene/bodies_reader.h"
+#include "sims/scene/fluid_reader.h"
+#include "sims/scene/option_names.h"
 
 namespace suture {
 namespace {

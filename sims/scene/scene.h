@@ -10,10 +10,10 @@
 
 #include "sims/flows/motion.h"
 #include "sims/output/picture.h"
-#include "sims/placed_shape.h"
-#include "sims/rivals/method.h"
-#include "sims/scene_sources.h"
-#include "surgery/options.h"
+#include "sims/scene/placed_shape.h"
+#include "sims/baselines/method.h"
+#include "sims/scene/scene_sources.h"
+#include "surgery/model/options.h"
 
 namespace suture {
 

@@ -6,9 +6,9 @@
 #include <map>
 #include <string>
 
-#include "kernel/mesh_io.h"
-#include "kernel/shape_catalogue.h"
-#include "kernel/shapes.h"
+#include "kernel/formats/mesh_io.h"
+#include "kernel/shapes/catalogue.h"
+#include "kernel/shapes/shapes.h"
 
 namespace suture {
 

@@ -1,5 +1,5 @@
 // A TOML file as tables of checked keys, each with the line it stands on.
-#include "sims/toml_keys.h"
+#include "sims/scene/toml_keys.h"
 
 #include <fmt/format.h>
 #include <toml++/toml.h>

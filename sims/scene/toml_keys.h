@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "sims/keys.h"
+#include "sims/support/keys.h"
 
 namespace suture {
 

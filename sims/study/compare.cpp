@@ -1,13 +1,13 @@
 // Every measure of a surface against the exact one.
-#include "sims/accuracy/compare.h"
+#include "sims/study/compare.h"
 
 #include <algorithm>
 
-#include "kernel/distance.h"
-#include "kernel/measures.h"
-#include "kernel/nearest_triangle.h"
-#include "kernel/symmetric_difference.h"
-#include "sims/trade/row.h"
+#include "kernel/measure/distance.h"
+#include "kernel/measure/measures.h"
+#include "kernel/measure/nearest_triangle.h"
+#include "kernel/measure/symmetric_difference.h"
+#include "sims/study/row.h"
 
 namespace suture {
 namespace {

@@ -1,8 +1,8 @@
 // Every measure of a surface against the exact one.
 #pragma once
 
-#include "sims/accuracy/record.h"
-#include "sims/accuracy/truth.h"
+#include "sims/study/record.h"
+#include "sims/study/truth.h"
 
 namespace suture {
 

@@ -1,5 +1,5 @@
 // The exact shape at time 0 carried by the exact flow: a triangulation as fine as its image asks.
-#include "sims/accuracy/exact_flow.h"
+#include "sims/study/exact_flow.h"
 
 #include <fmt/format.h>
 
@@ -9,7 +9,7 @@
 #include <unordered_set>
 
 #include "kernel/errors.h"
-#include "kernel/nearest_triangle.h"
+#include "kernel/measure/nearest_triangle.h"
 
 namespace suture {
 namespace {

@@ -1,12 +1,12 @@
 // A start shape as it is meant, not as its mesh has it: smooth faces, creases and its volume.
-#include "sims/accuracy/exact_shape.h"
+#include "sims/study/exact_shape.h"
 
 #include <boost/math/quadrature/gauss.hpp>
 #include <cmath>
 #include <numbers>
 
-#include "kernel/measures.h"
-#include "kernel/shapes.h"
+#include "kernel/measure/measures.h"
+#include "kernel/shapes/shapes.h"
 
 namespace suture {
 namespace {

@@ -1,5 +1,5 @@
 // A scene run by a method and measured: what `suture measure` does.
-#include "sims/accuracy/measurement.h"
+#include "sims/study/measurement.h"
 
 #include <fmt/format.h>
 
@@ -7,12 +7,12 @@
 
 #include "kernel/audit.h"
 #include "kernel/errors.h"
-#include "kernel/measures.h"
-#include "kernel/mesh_io.h"
-#include "sims/accuracy/method_run.h"
-#include "sims/accuracy/surface_measures.h"
-#include "sims/trade/settings.h"
-#include "sims/trade/table.h"
+#include "kernel/measure/measures.h"
+#include "kernel/formats/mesh_io.h"
+#include "sims/study/method_run.h"
+#include "sims/study/surface_measures.h"
+#include "sims/study/settings.h"
+#include "sims/study/table.h"
 
 namespace suture {
 namespace {

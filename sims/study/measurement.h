@@ -1,9 +1,9 @@
 // A scene run by a method and measured: what `suture measure` does.
 #pragma once
 
-#include "sims/accuracy/compare.h"
-#include "sims/processes.h"
-#include "sims/run.h"
+#include "sims/study/compare.h"
+#include "sims/support/processes.h"
+#include "sims/driver/run.h"
 
 namespace suture {
 

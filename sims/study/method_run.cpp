@@ -1,15 +1,15 @@
 // One method on one scene, from start to end, with what it costs and its surface at given times.
-#include "sims/accuracy/method_run.h"
+#include "sims/study/method_run.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 
 #include "kernel/errors.h"
-#include "kernel/measures.h"
-#include "sims/method_stepper.h"
-#include "sims/processes.h"
-#include "sims/trade/row.h"
+#include "kernel/measure/measures.h"
+#include "sims/driver/method_stepper.h"
+#include "sims/support/processes.h"
+#include "sims/study/row.h"
 
 namespace suture {
 namespace {

@@ -1,9 +1,9 @@
 // One method on one scene, from start to end, with what it costs and its surface at given times.
 #pragma once
 
-#include "sims/rivals/surface_tracker.h"
-#include "sims/run.h"
-#include "sims/scene.h"
+#include "sims/tracking/surface_tracker.h"
+#include "sims/driver/run.h"
+#include "sims/scene/scene.h"
 
 namespace suture {
 

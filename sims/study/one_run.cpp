@@ -1,5 +1,5 @@
 // One run of a scene for a study: its cost, and its error against the reference.
-#include "sims/trade/one_run.h"
+#include "sims/study/one_run.h"
 
 #include <fmt/format.h>
 
@@ -7,14 +7,14 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "kernel/distance.h"
+#include "kernel/measure/distance.h"
 #include "kernel/errors.h"
-#include "kernel/measures.h"
-#include "kernel/mesh_io.h"
-#include "sims/accuracy/surface_measures.h"
-#include "sims/processes.h"
-#include "sims/stepper.h"
-#include "sims/trade/table.h"
+#include "kernel/measure/measures.h"
+#include "kernel/formats/mesh_io.h"
+#include "sims/study/surface_measures.h"
+#include "sims/support/processes.h"
+#include "sims/driver/stepper.h"
+#include "sims/study/table.h"
 
 namespace suture {
 namespace {

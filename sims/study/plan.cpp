@@ -1,5 +1,5 @@
 // Which runs a study makes of a scene: factors, their levels, and the designs that combine them.
-#include "sims/trade/plan.h"
+#include "sims/study/plan.h"
 
 #include <fmt/format.h>
 
@@ -9,7 +9,7 @@
 #include <set>
 
 #include "kernel/errors.h"
-#include "sims/option_names.h"
+#include "sims/scene/option_names.h"
 
 namespace suture {
 namespace {

@@ -1,7 +1,7 @@
 // Which runs a study makes of a scene: factors, their levels, and the designs that combine them.
 #pragma once
 
-#include "sims/trade/settings.h"
+#include "sims/study/settings.h"
 
 namespace suture {
 

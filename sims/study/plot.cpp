@@ -1,5 +1,5 @@
 // A study's plots: a gnuplot script beside the table, and the pictures that it makes.
-#include "sims/trade/plot.h"
+#include "sims/study/plot.h"
 
 #include <fmt/format.h>
 
@@ -10,8 +10,8 @@
 
 #include "kernel/errors.h"
 #include "kernel/files.h"
-#include "sims/processes.h"
-#include "sims/trade/front.h"
+#include "sims/support/processes.h"
+#include "sims/study/front.h"
 
 namespace suture {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <filesystem>
 
-#include "sims/trade/row.h"
+#include "sims/study/row.h"
 
 namespace suture {
 

@@ -1,7 +1,7 @@
 // What a study's table says, in words: what to choose, what it costs, what fails.
 #pragma once
 
-#include "sims/trade/row.h"
+#include "sims/study/row.h"
 
 namespace suture {
 

@@ -1,5 +1,5 @@
 // A row of the table of measurements: cells by name, in order; and the table in its file.
-#include "sims/accuracy/record.h"
+#include "sims/study/record.h"
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -11,7 +11,7 @@
 
 #include "kernel/errors.h"
 #include "kernel/files.h"
-#include "sims/csv.h"
+#include "sims/support/csv.h"
 
 namespace suture {
 namespace {

@@ -1,6 +1,6 @@
 // What a study measures errors against: the first surface, as it was or carried by the exact flow,
 // a finer run, or a mesh file.
-#include "sims/trade/reference.h"
+#include "sims/study/reference.h"
 
 #include <fmt/format.h>
 
@@ -10,10 +10,10 @@
 #include "kernel/audit.h"
 #include "kernel/errors.h"
 #include "kernel/files.h"
-#include "kernel/mesh_io.h"
-#include "sims/stepper.h"
-#include "sims/trade/one_run.h"
-#include "sims/trade/table.h"
+#include "kernel/formats/mesh_io.h"
+#include "sims/driver/stepper.h"
+#include "sims/study/one_run.h"
+#include "sims/study/table.h"
 
 namespace suture {
 namespace {

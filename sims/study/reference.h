@@ -2,8 +2,8 @@
 // a finer run, or a mesh file.
 #pragma once
 
-#include "sims/processes.h"
-#include "sims/trade/plan.h"
+#include "sims/support/processes.h"
+#include "sims/study/plan.h"
 
 namespace suture {
 

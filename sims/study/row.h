@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "sims/trade/settings.h"
+#include "sims/study/settings.h"
 
 namespace suture {
 

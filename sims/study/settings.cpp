@@ -1,5 +1,5 @@
 // What a user can set about a run, by the names of the scene file's keys, and changes of it.
-#include "sims/trade/settings.h"
+#include "sims/study/settings.h"
 
 #include <fmt/format.h>
 

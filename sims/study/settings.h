@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "sims/scene.h"
+#include "sims/scene/scene.h"
 
 namespace suture {
 

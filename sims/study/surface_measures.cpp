@@ -1,8 +1,8 @@
 // What can be said of a surface by itself: its topology and its worst places.
-#include "sims/accuracy/surface_measures.h"
+#include "sims/study/surface_measures.h"
 
-#include "kernel/measures.h"
-#include "kernel/self_intersections.h"
+#include "kernel/measure/measures.h"
+#include "kernel/measure/self_intersections.h"
 
 namespace suture {
 

@@ -1,5 +1,5 @@
 // The study's table as a CSV file, a row a run: written whole, read back to resume.
-#include "sims/trade/table.h"
+#include "sims/study/table.h"
 
 #include <fmt/format.h>
 
@@ -8,7 +8,7 @@
 
 #include "kernel/errors.h"
 #include "kernel/files.h"
-#include "sims/csv.h"
+#include "sims/support/csv.h"
 
 namespace suture {
 namespace {

@@ -1,5 +1,5 @@
 // Speed against accuracy: a scene run over many choices, each measured for what it costs and gives.
-#include "sims/trade/trade.h"
+#include "sims/study/trade.h"
 
 #include <fmt/format.h>
 
@@ -9,10 +9,10 @@
 #include "kernel/errors.h"
 #include "kernel/files.h"
 #include "kernel/random.h"
-#include "sims/trade/one_run.h"
-#include "sims/trade/plot.h"
-#include "sims/trade/recommend.h"
-#include "sims/trade/table.h"
+#include "sims/study/one_run.h"
+#include "sims/study/plot.h"
+#include "sims/study/recommend.h"
+#include "sims/study/table.h"
 
 namespace suture {
 namespace {

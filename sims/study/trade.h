@@ -1,8 +1,8 @@
 // Speed against accuracy: a scene run over many choices, each measured for what it costs and gives.
 #pragma once
 
-#include "sims/trade/reference.h"
-#include "sims/trade/row.h"
+#include "sims/study/reference.h"
+#include "sims/study/row.h"
 
 namespace suture {
 

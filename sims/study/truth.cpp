@@ -1,5 +1,5 @@
 // What a scene's surface should be at a time, kept on disk once it was computed.
-#include "sims/accuracy/truth.h"
+#include "sims/study/truth.h"
 
 #include <fmt/format.h>
 
@@ -8,9 +8,9 @@
 
 #include "kernel/errors.h"
 #include "kernel/files.h"
-#include "kernel/mesh_io.h"
-#include "sims/trade/settings.h"
-#include "sims/trade/table.h"
+#include "kernel/formats/mesh_io.h"
+#include "sims/study/settings.h"
+#include "sims/study/table.h"
 
 namespace suture {
 namespace {

@@ -1,5 +1,5 @@
 // CSV (RFC 4180): cells to lines and back.
-#include "sims/csv.h"
+#include "sims/support/csv.h"
 
 namespace suture {
 namespace {

@@ -1,5 +1,5 @@
 // A table of named values in which every key is checked: its type, its range, and its name.
-#include "sims/keys.h"
+#include "sims/support/keys.h"
 
 #include <fmt/format.h>
 

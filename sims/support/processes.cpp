@@ -1,5 +1,5 @@
 // Work done in processes of its own: what crashes, hangs or eats memory there, ends only there.
-#include "sims/processes.h"
+#include "sims/support/processes.h"
 
 #include <fmt/format.h>
 #include <poll.h>

@@ -1,12 +1,12 @@
 // The mesh tracker behind the interface that its rivals have too.
-#include "sims/rivals/mesh_tracker.h"
+#include "sims/tracking/mesh_tracker.h"
 
 #include <optional>
 #include <string>
 
 #include "kernel/errors.h"
-#include "kernel/signed_distance.h"
-#include "sims/processes.h"
+#include "kernel/measure/signed_distance.h"
+#include "sims/support/processes.h"
 
 namespace suture {
 namespace {

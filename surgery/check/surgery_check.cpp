@@ -1,9 +1,9 @@
 // Windings of whole surfaces, and ties told apart by exact signs without the shift.
-#include "surgery/surgery_check.h"
+#include "surgery/check/surgery_check.h"
 
 #include "predicates/exact_signs.h"
-#include "surgery/tracker_lattice.h"
-#include "surgery/winding.h"
+#include "surgery/model/tracker_lattice.h"
+#include "surgery/detect/winding.h"
 
 namespace suture {
 

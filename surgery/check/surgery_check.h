@@ -7,7 +7,7 @@
 
 #include "kernel/lattice.h"
 #include "kernel/triangles.h"
-#include "surgery/options.h"
+#include "surgery/model/options.h"
 
 namespace suture {
 

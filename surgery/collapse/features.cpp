@@ -1,5 +1,5 @@
 // Sharp edges from the angle between normals; slivers do not count [§6.2].
-#include "surgery/features.h"
+#include "surgery/collapse/features.h"
 
 namespace suture {
 

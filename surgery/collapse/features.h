@@ -1,7 +1,7 @@
 // Sharp edges and corners, and which vertices they hold in place [§6.2].
 #pragma once
 
-#include "surgery/local_change.h"
+#include "surgery/collapse/local_change.h"
 
 namespace suture {
 

@@ -1,5 +1,5 @@
 // Normals, lattice nodes and volume of one local operation [§6.2].
-#include "surgery/local_change.h"
+#include "surgery/collapse/local_change.h"
 
 #include <algorithm>
 #include <cmath>

@@ -4,8 +4,8 @@
 #include <Eigen/Geometry>
 #include <boost/container/small_vector.hpp>
 
-#include "surgery/collapse_rules.h"
-#include "surgery/report.h"
+#include "surgery/collapse/rules.h"
+#include "surgery/model/report.h"
 
 namespace suture {
 

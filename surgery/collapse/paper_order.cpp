@@ -1,13 +1,13 @@
 // Collapses run along chains of arcs only; each chain is to become one edge [§6.1 step 3, §6.2].
-#include "surgery/paper_order.h"
+#include "surgery/collapse/paper_order.h"
 
 #include <CGAL/boost/graph/Euler_operations.h>
 
 #include <algorithm>
 
 #include "kernel/errors.h"
-#include "surgery/collapse_queue.h"
-#include "surgery/local_change.h"
+#include "surgery/collapse/queue.h"
+#include "surgery/collapse/local_change.h"
 
 namespace suture {
 

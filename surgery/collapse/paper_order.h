@@ -4,10 +4,10 @@
 
 #include <vector>
 
-#include "surgery/collapse_rules.h"
-#include "surgery/cut.h"
-#include "surgery/report.h"
-#include "surgery/stitch.h"
+#include "surgery/collapse/rules.h"
+#include "surgery/operate/cut.h"
+#include "surgery/model/report.h"
+#include "surgery/operate/stitch.h"
 
 namespace suture {
 

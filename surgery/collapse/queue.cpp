@@ -1,11 +1,11 @@
 // One sorted list of what is known at the start, one heap of what comes later.
-#include "surgery/collapse_queue.h"
+#include "surgery/collapse/queue.h"
 
 #include <algorithm>
 #include <queue>
 #include <tuple>
 
-#include "surgery/local_change.h"
+#include "surgery/collapse/local_change.h"
 
 namespace suture {
 

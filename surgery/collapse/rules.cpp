@@ -1,10 +1,10 @@
 // Collapsing an edge, and the rules that allow it [§6.1 step 3, §6.2].
-#include "surgery/collapse_rules.h"
+#include "surgery/collapse/rules.h"
 
 #include <CGAL/boost/graph/Euler_operations.h>
 
-#include "surgery/features.h"
-#include "surgery/local_change.h"
+#include "surgery/collapse/features.h"
+#include "surgery/collapse/local_change.h"
 
 namespace suture {
 

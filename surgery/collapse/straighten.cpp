@@ -1,7 +1,7 @@
 // Every neighbour of either type will do, and the surface is closed: only the rules can refuse.
-#include "surgery/straighten.h"
+#include "surgery/collapse/straighten.h"
 
-#include "surgery/collapse_queue.h"
+#include "surgery/collapse/queue.h"
 
 namespace suture {
 

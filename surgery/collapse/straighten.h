@@ -3,8 +3,8 @@
 
 #include <vector>
 
-#include "surgery/collapse_rules.h"
-#include "surgery/report.h"
+#include "surgery/collapse/rules.h"
+#include "surgery/model/report.h"
 
 namespace suture {
 

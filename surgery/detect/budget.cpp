@@ -1,5 +1,5 @@
 // An estimate in cells: doubles, so that it cannot itself overflow.
-#include "surgery/budget.h"
+#include "surgery/detect/budget.h"
 
 #include <unistd.h>
 

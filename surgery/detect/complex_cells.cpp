@@ -1,6 +1,6 @@
 // One pass over crossings marks what holds mesh; one over crossed edges marks what is complex
 // [§5.2].
-#include "surgery/complex_cells.h"
+#include "surgery/detect/complex_cells.h"
 
 #include <algorithm>
 

@@ -4,8 +4,8 @@
 
 #include <array>
 
-#include "surgery/crossings.h"
-#include "surgery/winding.h"
+#include "surgery/detect/crossings.h"
+#include "surgery/detect/winding.h"
 
 namespace suture {
 

@@ -1,5 +1,5 @@
 // Scan conversion of the mesh: cost follows the number of crossings [§5].
-#include "surgery/crossings.h"
+#include "surgery/detect/crossings.h"
 
 #include <algorithm>
 #include <numeric>

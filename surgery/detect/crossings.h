@@ -7,7 +7,7 @@
 #include "kernel/incidence.h"
 #include "kernel/lattice.h"
 #include "predicates/oracle.h"
-#include "surgery/lattice_path.h"
+#include "surgery/detect/lattice_path.h"
 
 namespace suture {
 

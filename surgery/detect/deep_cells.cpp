@@ -1,6 +1,6 @@
 // The deep-cell test reads no distances: a cell is `depth` cells from the isosurface when no cell
 // of the (2·depth + 1)³ block round it has corners on both sides [§5.3].
-#include "surgery/deep_cells.h"
+#include "surgery/detect/deep_cells.h"
 
 #include <algorithm>
 

@@ -3,9 +3,9 @@
 
 #include <vector>
 
-#include "surgery/complex_cells.h"
-#include "surgery/options.h"
-#include "surgery/report.h"
+#include "surgery/detect/complex_cells.h"
+#include "surgery/model/options.h"
+#include "surgery/model/report.h"
 
 namespace suture {
 

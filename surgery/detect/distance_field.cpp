@@ -1,11 +1,11 @@
 // Lazy exact distances: a small search tree near the region first, a full one only if that is not
 // enough.
-#include "surgery/distance_field.h"
+#include "surgery/detect/distance_field.h"
 
 #include <algorithm>
 #include <optional>
 
-#include "kernel/nearest_triangle.h"
+#include "kernel/measure/nearest_triangle.h"
 
 namespace suture {
 

@@ -7,7 +7,7 @@
 
 #include "kernel/lattice.h"
 #include "kernel/triangles.h"
-#include "surgery/winding.h"
+#include "surgery/detect/winding.h"
 
 namespace suture {
 

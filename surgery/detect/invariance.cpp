@@ -1,5 +1,5 @@
 // The winding of the difference of two surfaces is the change of winding: cost follows the surgery.
-#include "surgery/invariance.h"
+#include "surgery/detect/invariance.h"
 
 #include <array>
 

@@ -1,8 +1,8 @@
 // The last part of the audit: surgery must not change windings outside its region [§5.3].
 #pragma once
 
-#include "surgery/region.h"
-#include "surgery/winding.h"
+#include "surgery/detect/region.h"
+#include "surgery/detect/winding.h"
 
 namespace suture {
 

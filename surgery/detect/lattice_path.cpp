@@ -1,5 +1,5 @@
 // Lattice paths are integer walks: columns located by the oracle decide each step [§5, §6.1].
-#include "surgery/lattice_path.h"
+#include "surgery/detect/lattice_path.h"
 
 #include <algorithm>
 #include <optional>

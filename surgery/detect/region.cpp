@@ -1,6 +1,6 @@
 // Breadth-first flood across complex faces; it ends because only surface cells can be reached
 // [§5.3].
-#include "surgery/region.h"
+#include "surgery/detect/region.h"
 
 namespace suture {
 

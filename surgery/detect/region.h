@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "surgery/complex_cells.h"
+#include "surgery/detect/complex_cells.h"
 
 namespace suture {
 

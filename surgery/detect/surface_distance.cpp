@@ -1,12 +1,12 @@
 // Owns the surface, its lattice and its windings, so that the field may outlive the tracker's next
 // step.
-#include "surgery/surface_distance.h"
+#include "surgery/detect/surface_distance.h"
 
 #include <optional>
 
-#include "surgery/complex_cells.h"
-#include "surgery/distance_field.h"
-#include "surgery/tracker_lattice.h"
+#include "surgery/detect/complex_cells.h"
+#include "surgery/detect/distance_field.h"
+#include "surgery/model/tracker_lattice.h"
 
 namespace suture {
 

@@ -1,5 +1,5 @@
 // Crossings sorted along their lattice lines and summed up.
-#include "surgery/winding.h"
+#include "surgery/detect/winding.h"
 
 #include <algorithm>
 

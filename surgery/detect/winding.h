@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "kernel/sparse_field.h"
-#include "surgery/crossings.h"
+#include "surgery/detect/crossings.h"
 
 namespace suture {
 

@@ -1,6 +1,6 @@
 // Random displacements from a hash of each vertex, so that no state is kept between remodels
 // [§5.3].
-#include "surgery/jitter.h"
+#include "surgery/model/jitter.h"
 
 #include <bit>
 

@@ -1,8 +1,8 @@
 // The paper's remedy against degeneracy, for plain doubles only: vertices move at random [§5.3].
 #pragma once
 
-#include "surgery/options.h"
-#include "surgery/surface.h"
+#include "surgery/model/options.h"
+#include "surgery/model/surface.h"
 
 namespace suture {
 

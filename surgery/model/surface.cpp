@@ -1,5 +1,5 @@
 // Garbage collection renumbers elements; origins tell what became of the old ones.
-#include "surgery/surface.h"
+#include "surgery/model/surface.h"
 
 #include <algorithm>
 

@@ -1,5 +1,5 @@
 // The margin beyond the depth keeps every cell beside a surface cell inside the lattice.
-#include "surgery/tracker_lattice.h"
+#include "surgery/model/tracker_lattice.h"
 
 namespace suture {
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "kernel/lattice.h"
-#include "surgery/options.h"
+#include "surgery/model/options.h"
 
 namespace suture {
 

@@ -1,10 +1,10 @@
 // Multiplying by a power of two changes no digit, so results are those of the scene's own unit.
-#include "surgery/unit.h"
+#include "surgery/model/unit.h"
 
 #include <cmath>
 
 #include "kernel/errors.h"
-#include "surgery/tracker_lattice.h"
+#include "surgery/model/tracker_lattice.h"
 
 namespace suture {
 

@@ -1,9 +1,9 @@
 // A power of two as the unit of length, so that products of lengths neither overflow nor vanish.
 #pragma once
 
-#include "surgery/options.h"
-#include "surgery/report.h"
-#include "surgery/surface.h"
+#include "surgery/model/options.h"
+#include "surgery/model/report.h"
+#include "surgery/model/surface.h"
 
 namespace suture {
 

@@ -1,12 +1,12 @@
 // Components are compared as sets of coordinate triangles, by a sum of hashes first and exactly
 // then.
-#include "surgery/coincident.h"
+#include "surgery/operate/coincident.h"
 
 #include <algorithm>
 #include <bit>
 #include <map>
 
-#include "surgery/winding.h"
+#include "surgery/detect/winding.h"
 
 namespace suture {
 

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "kernel/lattice.h"
-#include "kernel/measures.h"
+#include "kernel/measure/measures.h"
 #include "predicates/oracle.h"
 
 namespace suture {

@@ -1,11 +1,11 @@
 // Each touched triangle keeps its pieces outside the region, merged where that is safe [§6.1].
-#include "surgery/cut.h"
+#include "surgery/operate/cut.h"
 
 #include <algorithm>
 #include <map>
 #include <optional>
 
-#include "surgery/kept_pieces.h"
+#include "surgery/operate/kept_pieces.h"
 
 namespace suture {
 

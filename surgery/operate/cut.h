@@ -4,8 +4,8 @@
 
 #include <vector>
 
-#include "surgery/sites.h"
-#include "surgery/triangle_pieces.h"
+#include "surgery/operate/sites.h"
+#include "surgery/operate/triangle_pieces.h"
 
 namespace suture {
 

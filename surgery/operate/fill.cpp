@@ -1,10 +1,10 @@
 // Loops of arcs, one disc each: the case table of marching cubes is not needed [§6.1 step 5].
-#include "surgery/fill.h"
+#include "surgery/operate/fill.h"
 
 #include <algorithm>
 
 #include "kernel/errors.h"
-#include "surgery/triangulate.h"
+#include "surgery/operate/triangulate.h"
 
 namespace suture {
 

@@ -3,8 +3,8 @@
 
 #include <vector>
 
-#include "surgery/cut.h"
-#include "surgery/sites.h"
+#include "surgery/operate/cut.h"
+#include "surgery/operate/sites.h"
 
 namespace suture {
 

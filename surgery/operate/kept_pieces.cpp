@@ -1,6 +1,6 @@
 // Merging walks from side to side through unmarked neighbours, so touching loops never get
 // confused.
-#include "surgery/kept_pieces.h"
+#include "surgery/operate/kept_pieces.h"
 
 #include <algorithm>
 #include <map>

@@ -6,8 +6,8 @@
 #include <utility>
 #include <vector>
 
-#include "surgery/cut.h"
-#include "surgery/triangulate.h"
+#include "surgery/operate/cut.h"
+#include "surgery/operate/triangulate.h"
 
 namespace suture {
 

@@ -2,7 +2,7 @@
 #include <array>
 
 #include "kernel/errors.h"
-#include "surgery/fill.h"
+#include "surgery/operate/fill.h"
 
 namespace suture {
 

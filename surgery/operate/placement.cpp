@@ -1,5 +1,5 @@
 // Incidence is settled before any of these numbers exists, so they can only affect shape.
-#include "surgery/placement.h"
+#include "surgery/operate/placement.h"
 
 #include <algorithm>
 

@@ -1,9 +1,9 @@
 // Where the fill's own vertices go along their lattice edges [§6.1 step 5].
 #pragma once
 
-#include "surgery/distance_field.h"
-#include "surgery/options.h"
-#include "surgery/sites.h"
+#include "surgery/detect/distance_field.h"
+#include "surgery/model/options.h"
+#include "surgery/operate/sites.h"
 
 namespace suture {
 

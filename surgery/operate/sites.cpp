@@ -1,5 +1,5 @@
 // Positions: lattice coordinates exact, the rest correctly rounded and clamped to the located cell.
-#include "surgery/sites.h"
+#include "surgery/operate/sites.h"
 
 #include "kernel/errors.h"
 #include "predicates/construct.h"

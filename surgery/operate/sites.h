@@ -6,9 +6,9 @@
 #include <map>
 #include <vector>
 
-#include "surgery/crossings.h"
-#include "surgery/region.h"
-#include "surgery/winding.h"
+#include "surgery/detect/crossings.h"
+#include "surgery/detect/region.h"
+#include "surgery/detect/winding.h"
 
 namespace suture {
 

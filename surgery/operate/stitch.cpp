@@ -1,5 +1,5 @@
 // In place, with Euler::remove_face and add_face only; each vertex is found by its site's number.
-#include "surgery/stitch.h"
+#include "surgery/operate/stitch.h"
 
 #include <CGAL/boost/graph/Euler_operations.h>
 

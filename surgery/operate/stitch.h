@@ -5,8 +5,8 @@
 #include <initializer_list>
 #include <vector>
 
-#include "surgery/sites.h"
-#include "surgery/surface.h"
+#include "surgery/operate/sites.h"
+#include "surgery/model/surface.h"
 
 namespace suture {
 

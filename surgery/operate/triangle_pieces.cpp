@@ -1,5 +1,5 @@
 // Directed sides from the paths along mesh edges and in planes, linked to one cycle a cell [§6.1].
-#include "surgery/triangle_pieces.h"
+#include "surgery/operate/triangle_pieces.h"
 
 #include <algorithm>
 #include <string>

@@ -3,8 +3,8 @@
 
 #include <vector>
 
-#include "surgery/crossings.h"
-#include "surgery/region.h"
+#include "surgery/detect/crossings.h"
+#include "surgery/detect/region.h"
 
 namespace suture {
 

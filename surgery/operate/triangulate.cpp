@@ -1,5 +1,5 @@
 // Small loops by dynamic programming, larger planar regions by CGAL's constrained Delaunay.
-#include "surgery/triangulate.h"
+#include "surgery/operate/triangulate.h"
 
 #include <CGAL/Constrained_Delaunay_triangulation_2.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>

@@ -2,8 +2,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "surgery/quality_passes.h"
-#include "surgery/vertex_normal.h"
+#include "surgery/quality/passes.h"
+#include "surgery/quality/vertex_normal.h"
 
 namespace suture {
 

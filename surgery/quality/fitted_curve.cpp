@@ -1,5 +1,5 @@
 // The surface over an edge, as the vertices around it tell it [§6.2; Cazals and Pouget 2005].
-#include "surgery/fitted_curve.h"
+#include "surgery/quality/fitted_curve.h"
 
 #include <Eigen/Cholesky>
 #include <Eigen/Geometry>
@@ -9,7 +9,7 @@
 #include <cmath>
 #include <limits>
 
-#include "surgery/vertex_normal.h"
+#include "surgery/quality/vertex_normal.h"
 
 namespace suture {
 

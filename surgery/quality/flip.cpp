@@ -5,7 +5,7 @@
 #include <deque>
 #include <utility>
 
-#include "surgery/quality_passes.h"
+#include "surgery/quality/passes.h"
 
 namespace suture {
 

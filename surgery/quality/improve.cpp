@@ -1,12 +1,12 @@
 // The order of mesh improvement, and its report [§6.2].
-#include "surgery/quality.h"
+#include "surgery/quality/improve.h"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
 #include "kernel/errors.h"
-#include "surgery/quality_passes.h"
+#include "surgery/quality/passes.h"
 
 namespace suture {
 

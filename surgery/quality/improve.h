@@ -1,9 +1,9 @@
 // Mesh improvement: subdivide, collapse, flip, within the rules [§6.2].
 #pragma once
 
-#include "surgery/collapse_rules.h"
-#include "surgery/options.h"
-#include "surgery/report.h"
+#include "surgery/collapse/rules.h"
+#include "surgery/model/options.h"
+#include "surgery/model/report.h"
 
 namespace suture {
 

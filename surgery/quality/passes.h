@@ -3,9 +3,9 @@
 
 #include <algorithm>
 
-#include "surgery/features.h"
-#include "surgery/options.h"
-#include "surgery/report.h"
+#include "surgery/collapse/features.h"
+#include "surgery/model/options.h"
+#include "surgery/model/report.h"
 
 namespace suture {
 

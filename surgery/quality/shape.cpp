@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "surgery/quality_passes.h"
+#include "surgery/quality/passes.h"
 
 namespace suture {
 

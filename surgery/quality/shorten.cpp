@@ -4,7 +4,7 @@
 #include <queue>
 #include <tuple>
 
-#include "surgery/quality_passes.h"
+#include "surgery/quality/passes.h"
 
 namespace suture {
 

@@ -5,9 +5,9 @@
 #include <queue>
 #include <tuple>
 
-#include "surgery/fitted_curve.h"
-#include "surgery/quality_passes.h"
-#include "surgery/vertex_normal.h"
+#include "surgery/quality/fitted_curve.h"
+#include "surgery/quality/passes.h"
+#include "surgery/quality/vertex_normal.h"
 
 namespace suture {
 

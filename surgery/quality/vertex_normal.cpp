@@ -1,5 +1,5 @@
 // The normal at a vertex, from the triangles of its star.
-#include "surgery/vertex_normal.h"
+#include "surgery/quality/vertex_normal.h"
 
 #include <Eigen/Geometry>
 

@@ -6,8 +6,8 @@
 #include <cstdlib>
 #include <map>
 
-#include "kernel/self_intersections.h"
-#include "surgery/tracker_lattice.h"
+#include "kernel/measure/self_intersections.h"
+#include "surgery/model/tracker_lattice.h"
 #include "tests/models.h"
 #include "tests/surgery/hostile.h"
 #include "tests/surgery/support.h"

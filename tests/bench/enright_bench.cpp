@@ -6,8 +6,8 @@
 #include <ctime>
 #include <numbers>
 
-#include "kernel/measures.h"
-#include "kernel/shapes.h"
+#include "kernel/measure/measures.h"
+#include "kernel/shapes/shapes.h"
 #include "sims/flows/fields.h"
 #include "surgery/tracker.h"
 

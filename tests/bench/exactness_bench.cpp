@@ -9,7 +9,7 @@
 #include <map>
 
 #include "kernel/random.h"
-#include "sims/stepper.h"
+#include "sims/driver/stepper.h"
 #include "tests/models.h"
 #include "tests/surgery/support.h"
 

@@ -6,7 +6,7 @@
 #include <cstdlib>
 #include <numeric>
 
-#include "kernel/self_intersections.h"
+#include "kernel/measure/self_intersections.h"
 #include "tests/models.h"
 #include "tests/surgery/exact_union.h"
 #include "tests/surgery/support.h"

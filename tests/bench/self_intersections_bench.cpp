@@ -5,8 +5,8 @@
 #include <algorithm>
 
 #include "kernel/random.h"
-#include "kernel/self_intersections.h"
-#include "sims/option_names.h"
+#include "kernel/measure/self_intersections.h"
+#include "sims/scene/option_names.h"
 #include "tests/models.h"
 #include "tests/surgery/sewn.h"
 

@@ -5,10 +5,10 @@
 #include <string>
 
 #include "kernel/audit.h"
-#include "sims/option_names.h"
-#include "surgery/quality.h"
+#include "sims/scene/option_names.h"
+#include "surgery/quality/improve.h"
 #include "surgery/remodel.h"
-#include "surgery/tracker_lattice.h"
+#include "surgery/model/tracker_lattice.h"
 #include "tests/brute/lying_oracle.h"
 #include "tests/surgery/hostile.h"
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "kernel/isosurface.h"
+#include "kernel/shapes/isosurface.h"
 #include "kernel/random.h"
 #include "tests/surgery/support.h"
 

@@ -1,7 +1,7 @@
 #include <catch2/catch.hpp>
 
 #include "kernel/errors.h"
-#include "surgery/unit.h"
+#include "surgery/model/unit.h"
 #include "tests/extremes/bodies.h"
 
 using namespace suture;

@@ -2,7 +2,7 @@
 #include "kernel/audit.h"
 #include "kernel/errors.h"
 #include "kernel/formats/formats.h"
-#include "kernel/repair.h"
+#include "kernel/repair/repair.h"
 #include "tests/fuzz/targets.h"
 #include "tests/kernel/tiny.h"
 

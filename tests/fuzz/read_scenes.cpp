@@ -4,7 +4,7 @@
 
 #include "kernel/audit.h"
 #include "kernel/errors.h"
-#include "sims/scene.h"
+#include "sims/scene/scene.h"
 #include "tests/fuzz/targets.h"
 #include "tests/kernel/tiny.h"
 

@@ -9,8 +9,8 @@
 
 #include "kernel/audit.h"
 #include "kernel/errors.h"
-#include "kernel/measures.h"
-#include "kernel/orientation.h"
+#include "kernel/measure/measures.h"
+#include "kernel/repair/orientation.h"
 
 using namespace suture;
 

@@ -5,7 +5,7 @@
 #include <CGAL/Polygon_mesh_processing/repair_self_intersections.h>
 
 #include "kernel/errors.h"
-#include "kernel/measures.h"
+#include "kernel/measure/measures.h"
 #include "kernel/mesh.h"
 
 namespace suture {

@@ -10,9 +10,9 @@
 #include <map>
 #include <string>
 
-#include "kernel/shape_catalogue.h"
+#include "kernel/shapes/catalogue.h"
 #include "sims/flows/fields.h"
-#include "sims/option_names.h"
+#include "sims/scene/option_names.h"
 #include "tests/surgery/golden_digests.h"
 #include "tests/surgery/hostile.h"
 #include "tests/surgery/support.h"

@@ -1,6 +1,6 @@
 #include <catch2/catch.hpp>
 
-#include "kernel/self_intersections.h"
+#include "kernel/measure/self_intersections.h"
 #include "tests/models.h"
 #include "tests/surgery/exact_union.h"
 #include "tests/surgery/support.h"

@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "kernel/random.h"
-#include "kernel/shapes.h"
-#include "kernel/transform.h"
-#include "surgery/options.h"
+#include "kernel/shapes/shapes.h"
+#include "kernel/shapes/transform.h"
+#include "surgery/model/options.h"
 
 namespace suture {
 

@@ -3,7 +3,7 @@
 #include <catch2/catch.hpp>
 #include <set>
 
-#include "kernel/mesh_io.h"
+#include "kernel/formats/mesh_io.h"
 #include "tests/surgery/support.h"
 
 using namespace suture;

@@ -3,7 +3,7 @@
 #include <fstream>
 
 #include "kernel/errors.h"
-#include "kernel/repair.h"
+#include "kernel/repair/repair.h"
 #include "tests/models.h"
 #include "tests/surgery/support.h"
 

@@ -1,7 +1,7 @@
 #include <catch2/catch.hpp>
 
 #include "kernel/errors.h"
-#include "kernel/self_intersections.h"
+#include "kernel/measure/self_intersections.h"
 #include "tests/surgery/remodelled.h"
 
 using namespace suture;

@@ -4,12 +4,12 @@
 #include <algorithm>
 #include <iterator>
 
-#include "surgery/complex_cells.h"
-#include "surgery/deep_cells.h"
-#include "surgery/fill.h"
-#include "surgery/placement.h"
-#include "surgery/region.h"
-#include "surgery/tracker_lattice.h"
+#include "surgery/detect/complex_cells.h"
+#include "surgery/detect/deep_cells.h"
+#include "surgery/operate/fill.h"
+#include "surgery/operate/placement.h"
+#include "surgery/detect/region.h"
+#include "surgery/model/tracker_lattice.h"
 #include "tests/surgery/hostile.h"
 #include "tests/surgery/support.h"
 

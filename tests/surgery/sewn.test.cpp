@@ -3,7 +3,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "surgery/distance_field.h"
+#include "surgery/detect/distance_field.h"
 
 using namespace suture;
 

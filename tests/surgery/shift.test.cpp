@@ -2,7 +2,7 @@
 #include <catch2/catch.hpp>
 
 #include "kernel/random.h"
-#include "surgery/triangle_pieces.h"
+#include "surgery/operate/triangle_pieces.h"
 #include "tests/surgery/support.h"
 
 using namespace suture;

@@ -5,10 +5,10 @@
 #include <numbers>
 
 #include "kernel/audit.h"
-#include "kernel/measures.h"
-#include "kernel/shapes.h"
-#include "kernel/transform.h"
-#include "surgery/complex_cells.h"
+#include "kernel/measure/measures.h"
+#include "kernel/shapes/shapes.h"
+#include "kernel/shapes/transform.h"
+#include "surgery/detect/complex_cells.h"
 #include "surgery/tracker.h"
 
 namespace suture {

@@ -3,7 +3,7 @@
 #include <map>
 
 #include "kernel/errors.h"
-#include "surgery/invariance.h"
+#include "surgery/detect/invariance.h"
 #include "surgery/remodel.h"
 #include "tests/brute/lying_runs.h"
 #include "tests/surgery/hostile.h"

@@ -1,15 +1,15 @@
 // Semi-Lagrangian contouring: each step a new mesh, where the old mesh's distance is zero upstream.
-#include "sims/rivals/semi_lagrangian_contouring.h"
+#include "sims/baselines/contouring/semi_lagrangian_contouring.h"
 
 #include <cmath>
 #include <optional>
 #include <string>
 
 #include "kernel/errors.h"
-#include "kernel/signed_distance.h"
-#include "sims/processes.h"
-#include "sims/rivals/level_set_grid.h"
-#include "sims/rivals/paths.h"
+#include "kernel/measure/signed_distance.h"
+#include "sims/support/processes.h"
+#include "sims/baselines/grid/level_set_grid.h"
+#include "sims/baselines/grid/paths.h"
 
 namespace suture {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <memory>
 
-#include "sims/rivals/surface_tracker.h"
+#include "sims/tracking/surface_tracker.h"
 
 namespace suture {
 

@@ -1,5 +1,5 @@
 // A dense box of distances: its nodes, its normals, and where the surface passes between nodes.
-#include "sims/rivals/dense_level_set.h"
+#include "sims/baselines/grid/dense_level_set.h"
 
 #include "kernel/errors.h"
 

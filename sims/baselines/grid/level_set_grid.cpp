@@ -1,5 +1,5 @@
 // What the rivals on grids share: surfaces to narrow bands of distances, and zero sets to surfaces.
-#include "sims/rivals/level_set_grid.h"
+#include "sims/baselines/grid/level_set_grid.h"
 
 #include <openvdb/tools/Interpolation.h>
 #include <openvdb/tools/Prune.h>
@@ -10,7 +10,7 @@
 #include <string>
 
 #include "kernel/errors.h"
-#include "kernel/signed_distance.h"
+#include "kernel/measure/signed_distance.h"
 
 namespace suture {
 namespace {

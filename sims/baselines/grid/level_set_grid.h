@@ -5,8 +5,8 @@
 
 #include <functional>
 
-#include "kernel/marching_tetrahedra.h"
-#include "kernel/nearest_triangle.h"
+#include "kernel/shapes/marching_tetrahedra.h"
+#include "kernel/measure/nearest_triangle.h"
 #include "kernel/triangles.h"
 
 namespace suture {

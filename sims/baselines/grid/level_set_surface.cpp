@@ -1,10 +1,10 @@
 // Dense level sets from triangles and back.
-#include "sims/rivals/level_set_surface.h"
+#include "sims/baselines/grid/level_set_surface.h"
 
 #include <algorithm>
 
-#include "kernel/marching_tetrahedra.h"
-#include "kernel/signed_distance.h"
+#include "kernel/shapes/marching_tetrahedra.h"
+#include "kernel/measure/signed_distance.h"
 
 namespace suture {
 namespace {

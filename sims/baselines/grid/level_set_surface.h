@@ -1,7 +1,7 @@
 // Between triangles and a dense level set: exact distances one way, marching tetrahedra the other.
 #pragma once
 
-#include "sims/rivals/dense_level_set.h"
+#include "sims/baselines/grid/dense_level_set.h"
 
 namespace suture {
 

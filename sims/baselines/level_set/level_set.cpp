@@ -1,6 +1,6 @@
 // The level set as OpenVDB keeps it: distances in a narrow band, moved by upwind or MacCormack
 // steps.
-#include "sims/rivals/level_set.h"
+#include "sims/baselines/level_set/level_set.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,10 +8,10 @@
 #include <string>
 
 #include "kernel/errors.h"
-#include "sims/processes.h"
-#include "sims/rivals/level_set_grid.h"
-#include "sims/rivals/mac_cormack.h"
-#include "sims/rivals/upwind_advection.h"
+#include "sims/support/processes.h"
+#include "sims/baselines/grid/level_set_grid.h"
+#include "sims/baselines/level_set/mac_cormack.h"
+#include "sims/baselines/level_set/upwind_advection.h"
 
 namespace suture {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <memory>
 
-#include "sims/rivals/surface_tracker.h"
+#include "sims/tracking/surface_tracker.h"
 
 namespace suture {
 

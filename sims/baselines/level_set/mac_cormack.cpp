@@ -1,5 +1,5 @@
 // MacCormack's semi-Lagrangian step in a narrow band: forth, back, and half the error [Selle 2008].
-#include "sims/rivals/mac_cormack.h"
+#include "sims/baselines/level_set/mac_cormack.h"
 
 #include <openvdb/tools/Interpolation.h>
 #include <openvdb/tools/Morphology.h>

@@ -1,9 +1,9 @@
 // MacCormack's semi-Lagrangian step in a narrow band: forth, back, and half the error [Selle 2008].
 #pragma once
 
-#include "sims/rivals/level_set.h"
-#include "sims/rivals/level_set_grid.h"
-#include "sims/rivals/paths.h"
+#include "sims/baselines/level_set/level_set.h"
+#include "sims/baselines/grid/level_set_grid.h"
+#include "sims/baselines/grid/paths.h"
 
 namespace suture {
 

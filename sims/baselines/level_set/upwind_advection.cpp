@@ -1,5 +1,5 @@
 // OpenVDB's level set tracker [Museth 2013]: upwind advection in a narrow band, re-normalised.
-#include "sims/rivals/upwind_advection.h"
+#include "sims/baselines/level_set/upwind_advection.h"
 
 #include <openvdb/tools/LevelSetAdvect.h>
 #include <openvdb/tools/Morphology.h>

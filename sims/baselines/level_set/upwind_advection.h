@@ -1,9 +1,9 @@
 // OpenVDB's level set tracker [Museth 2013]: upwind advection in a narrow band, re-normalised.
 #pragma once
 
-#include "sims/rivals/level_set.h"
-#include "sims/rivals/level_set_grid.h"
-#include "sims/rivals/paths.h"
+#include "sims/baselines/level_set/level_set.h"
+#include "sims/baselines/grid/level_set_grid.h"
+#include "sims/baselines/grid/paths.h"
 
 namespace suture {
 

@@ -1,5 +1,5 @@
 // Fast marching: nodes next to the surface first, then a heap of those beyond.
-#include "sims/rivals/fast_marching.h"
+#include "sims/baselines/particle_level_set/fast_marching.h"
 
 #include <algorithm>
 #include <limits>

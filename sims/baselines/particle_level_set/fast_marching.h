@@ -1,7 +1,7 @@
 // Level sets made distances again by the fast marching method, first order [Sethian 1996].
 #pragma once
 
-#include "sims/rivals/dense_level_set.h"
+#include "sims/baselines/grid/dense_level_set.h"
 
 namespace suture {
 

@@ -1,5 +1,5 @@
 // What escaped markers do to the corners of their cells.
-#include "sims/rivals/marker_correction.h"
+#include "sims/baselines/particle_level_set/marker_correction.h"
 
 #include "kernel/sparse_field.h"
 

@@ -1,7 +1,7 @@
 // The level set rebuilt from the markers that it let escape [Enright et al. 2002, §3.3].
 #pragma once
 
-#include "sims/rivals/marker_particles.h"
+#include "sims/baselines/particle_level_set/marker_particles.h"
 
 namespace suture {
 

@@ -1,5 +1,5 @@
 // Seeding, attraction, motion and re-seeding of markers.
-#include "sims/rivals/marker_particles.h"
+#include "sims/baselines/particle_level_set/marker_particles.h"
 
 #include <algorithm>
 #include <optional>

@@ -3,8 +3,8 @@
 #pragma once
 
 #include "kernel/random.h"
-#include "sims/rivals/dense_level_set.h"
-#include "sims/rivals/paths.h"
+#include "sims/baselines/grid/dense_level_set.h"
+#include "sims/baselines/grid/paths.h"
 
 namespace suture {
 

@@ -1,16 +1,16 @@
 // The order of a particle level set's step, behind the interface of all trackers.
-#include "sims/rivals/particle_level_set.h"
+#include "sims/baselines/particle_level_set/particle_level_set.h"
 
 #include <optional>
 
 #include "kernel/audit.h"
 #include "kernel/errors.h"
-#include "sims/processes.h"
-#include "sims/rivals/fast_marching.h"
-#include "sims/rivals/level_set_surface.h"
-#include "sims/rivals/marker_correction.h"
-#include "sims/rivals/semi_lagrangian.h"
-#include "sims/rivals/weno_level_set.h"
+#include "sims/support/processes.h"
+#include "sims/baselines/particle_level_set/fast_marching.h"
+#include "sims/baselines/grid/level_set_surface.h"
+#include "sims/baselines/particle_level_set/marker_correction.h"
+#include "sims/baselines/particle_level_set/semi_lagrangian.h"
+#include "sims/baselines/particle_level_set/weno_level_set.h"
 
 namespace suture {
 namespace {

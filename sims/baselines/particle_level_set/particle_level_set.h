@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <memory>
 
-#include "sims/rivals/surface_tracker.h"
+#include "sims/tracking/surface_tracker.h"
 
 namespace suture {
 

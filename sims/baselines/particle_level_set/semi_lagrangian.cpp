@@ -1,5 +1,5 @@
 // Semi-Lagrangian steps: which nodes to fill, and where their paths come from.
-#include "sims/rivals/semi_lagrangian.h"
+#include "sims/baselines/particle_level_set/semi_lagrangian.h"
 
 #include <algorithm>
 

@@ -2,8 +2,8 @@
 // 2005].
 #pragma once
 
-#include "sims/rivals/dense_level_set.h"
-#include "sims/rivals/paths.h"
+#include "sims/baselines/grid/dense_level_set.h"
+#include "sims/baselines/grid/paths.h"
 
 namespace suture {
 

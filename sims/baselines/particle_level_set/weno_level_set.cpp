@@ -1,10 +1,10 @@
 // Dense level sets to OpenVDB's grids and back, round the library's own steps.
-#include "sims/rivals/weno_level_set.h"
+#include "sims/baselines/particle_level_set/weno_level_set.h"
 
 #include <openvdb/tools/SignedFloodFill.h>
 
 #include "kernel/errors.h"
-#include "sims/rivals/upwind_advection.h"
+#include "sims/baselines/level_set/upwind_advection.h"
 
 namespace suture {
 namespace {

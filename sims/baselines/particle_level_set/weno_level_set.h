@@ -1,8 +1,8 @@
 // What the particle level set of 2002 does to φ, by OpenVDB: WENO advection and relaxation.
 #pragma once
 
-#include "sims/rivals/dense_level_set.h"
-#include "sims/rivals/paths.h"
+#include "sims/baselines/grid/dense_level_set.h"
+#include "sims/baselines/grid/paths.h"
 
 namespace suture {
 

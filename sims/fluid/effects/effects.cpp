@@ -1,11 +1,11 @@
 // What a scene names beyond an inviscid liquid, each made only where it does.
-#include "sims/fluid/effects.h"
+#include "sims/fluid/effects/effects.h"
 
 #include <limits>
 
-#include "sims/fluid/surface_tension.h"
-#include "sims/fluid/surface_velocity.h"
-#include "sims/fluid/viscosity.h"
+#include "sims/fluid/effects/surface_tension.h"
+#include "sims/fluid/effects/surface_velocity.h"
+#include "sims/fluid/effects/viscosity.h"
 
 namespace suture {
 namespace {

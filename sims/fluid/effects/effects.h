@@ -8,7 +8,7 @@
 #include "sims/fluid/fluid_options.h"
 #include "sims/fluid/module_cost.h"
 #include "sims/fluid/pressure.h"
-#include "sims/rivals/surface_tracker.h"
+#include "sims/tracking/surface_tracker.h"
 
 namespace suture {
 

@@ -1,11 +1,11 @@
 // The elastic strain that a liquid carries with it.
-#include "sims/fluid/strain.h"
+#include "sims/fluid/effects/strain.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
 
 #include "sims/fluid/advect_velocity.h"
-#include "sims/fluid/grid_corners.h"
+#include "sims/fluid/grid/grid_corners.h"
 
 namespace suture {
 namespace {

@@ -5,9 +5,9 @@
 #include <cstdint>
 #include <vector>
 
-#include "sims/fluid/mac_velocity.h"
-#include "sims/fluid/shares.h"
-#include "sims/fluid/solids.h"
+#include "sims/fluid/grid/mac_velocity.h"
+#include "sims/fluid/liquid/volume_fractions.h"
+#include "sims/fluid/solids/solids.h"
 
 namespace suture {
 

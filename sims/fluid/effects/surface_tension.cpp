@@ -1,13 +1,13 @@
 // Surface tension: the pressure jump that curvature makes at the faces of the physics grid that the
 // surface crosses, and what the surface does of itself.
-#include "sims/fluid/surface_tension.h"
+#include "sims/fluid/effects/surface_tension.h"
 
 #include <cmath>
 #include <numbers>
 
 #include "kernel/errors.h"
-#include "sims/fluid/crossing.h"
-#include "sims/fluid/surface_velocity.h"
+#include "sims/fluid/liquid/crossing.h"
+#include "sims/fluid/effects/surface_velocity.h"
 
 namespace suture {
 

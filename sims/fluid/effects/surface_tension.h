@@ -5,10 +5,10 @@
 #include <array>
 #include <vector>
 
-#include "kernel/nearest_triangle.h"
+#include "kernel/measure/nearest_triangle.h"
 #include "kernel/triangles.h"
-#include "sims/fluid/curvature.h"
-#include "sims/fluid/liquid.h"
+#include "sims/fluid/effects/curvature.h"
+#include "sims/fluid/liquid/liquid.h"
 
 namespace suture {
 

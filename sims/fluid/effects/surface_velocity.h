@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "kernel/nearest_triangle.h"
+#include "kernel/measure/nearest_triangle.h"
 #include "kernel/triangles.h"
 
 namespace suture {

@@ -1,11 +1,11 @@
 // Elasticity of the liquid: it strains, springs back, yields and forgets.
-#include "sims/fluid/viscoelasticity.h"
+#include "sims/fluid/effects/viscoelasticity.h"
 
 #include <algorithm>
 #include <cmath>
 
 #include "kernel/errors.h"
-#include "sims/fluid/viscosity.h"
+#include "sims/fluid/effects/viscosity.h"
 
 namespace suture {
 namespace {

@@ -1,5 +1,5 @@
 // Viscosity of the liquid, from none to that of a rigid body.
-#include "sims/fluid/viscosity.h"
+#include "sims/fluid/effects/viscosity.h"
 
 #include <algorithm>
 #include <cmath>

@@ -5,8 +5,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "sims/fluid/linear_solver.h"
-#include "sims/fluid/strain_rate.h"
+#include "sims/fluid/linear/linear_solver.h"
+#include "sims/fluid/effects/strain_rate.h"
 
 namespace suture {
 

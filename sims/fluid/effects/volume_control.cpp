@@ -1,11 +1,11 @@
 // Volume control: each body of liquid is given the divergence that brings back what it has lost.
-#include "sims/fluid/volume_control.h"
+#include "sims/fluid/effects/volume_control.h"
 
 #include <algorithm>
 #include <cmath>
 
 #include "kernel/errors.h"
-#include "sims/fluid/body_groups.h"
+#include "sims/fluid/liquid/component_tracking.h"
 
 namespace suture {
 namespace {

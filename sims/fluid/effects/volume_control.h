@@ -4,7 +4,7 @@
 #include <functional>
 #include <vector>
 
-#include "sims/fluid/liquid_bodies.h"
+#include "sims/fluid/liquid/liquid_bodies.h"
 
 namespace suture {
 

@@ -1,5 +1,5 @@
 // Boxes of cells that hold all active cells of a sparse grid, as few as blocks allow.
-#include "sims/fluid/cell_boxes.h"
+#include "sims/fluid/grid/cell_boxes.h"
 
 #include <algorithm>
 

@@ -1,5 +1,5 @@
 // The part of a cube on one side of a plane: how much of a cell is liquid.
-#include "sims/fluid/cut_cube.h"
+#include "sims/fluid/grid/cut_cube.h"
 
 #include <algorithm>
 #include <cmath>

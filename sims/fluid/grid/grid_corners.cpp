@@ -1,5 +1,5 @@
 // The eight places of a staggered quantity round a point, and what is interpolated from them.
-#include "sims/fluid/grid_corners.h"
+#include "sims/fluid/grid/grid_corners.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
 // Velocity on the staggered grid: each component in the middle of the faces across its axis.
-#include "sims/fluid/mac_velocity.h"
+#include "sims/fluid/grid/mac_velocity.h"
 
 #include <algorithm>
 #include <cmath>

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "sims/fluid/grid_corners.h"
+#include "sims/fluid/grid/grid_corners.h"
 
 namespace suture {
 

@@ -1,5 +1,5 @@
 // The physics grid: cells in blocks of 8³, of which only those near the liquid exist.
-#include "sims/fluid/sparse_grid.h"
+#include "sims/fluid/grid/sparse_grid.h"
 
 #include <algorithm>
 #include <cmath>

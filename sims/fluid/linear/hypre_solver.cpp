@@ -1,5 +1,5 @@
 // Conjugate gradients of HYPRE; no other file meets it, or MPI, which it cannot do without.
-#include "sims/fluid/hypre_solver.h"
+#include "sims/fluid/linear/hypre_solver.h"
 
 #define OMPI_SKIP_MPICXX  // bindings that MPI has given up, and that need a library more
 #include <HYPRE.h>

@@ -1,8 +1,8 @@
 // What the linear solver asks of HYPRE, whose types are seen in no header.
 #pragma once
 
-#include "sims/fluid/cell_boxes.h"
-#include "sims/fluid/linear_solver.h"
+#include "sims/fluid/grid/cell_boxes.h"
+#include "sims/fluid/linear/linear_solver.h"
 
 namespace suture {
 

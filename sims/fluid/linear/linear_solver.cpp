@@ -1,13 +1,13 @@
 // Checks and scales systems, and chooses how HYPRE is to solve them.
-#include "sims/fluid/linear_solver.h"
+#include "sims/fluid/linear/linear_solver.h"
 
 #include <algorithm>
 #include <cmath>
 #include <string>
 
 #include "kernel/errors.h"
-#include "sims/fluid/cell_boxes.h"
-#include "sims/fluid/hypre_solver.h"
+#include "sims/fluid/grid/cell_boxes.h"
+#include "sims/fluid/linear/hypre_solver.h"
 
 namespace suture {
 namespace {

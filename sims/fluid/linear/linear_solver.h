@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "sims/fluid/sparse_grid.h"
+#include "sims/fluid/grid/sparse_grid.h"
 
 namespace suture {
 

@@ -1,5 +1,5 @@
 // Which bodies of liquid after a remodel are which before it, whatever merged and split.
-#include "sims/fluid/body_groups.h"
+#include "sims/fluid/liquid/component_tracking.h"
 
 #include <algorithm>
 #include <map>
@@ -7,7 +7,7 @@
 #include <optional>
 
 #include "kernel/lattice.h"
-#include "kernel/weld.h"
+#include "kernel/repair/weld.h"
 
 namespace suture {
 namespace {

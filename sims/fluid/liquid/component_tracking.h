@@ -1,7 +1,7 @@
 // Which bodies of liquid after a remodel are which before it, whatever merged and split.
 #pragma once
 
-#include "sims/fluid/liquid_bodies.h"
+#include "sims/fluid/liquid/liquid_bodies.h"
 
 namespace suture {
 

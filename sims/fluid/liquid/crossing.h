@@ -1,7 +1,7 @@
 // Where the surface passes between the centres of neighbouring cells, one after another.
 #pragma once
 
-#include "sims/fluid/liquid.h"
+#include "sims/fluid/liquid/liquid.h"
 
 namespace suture {
 

@@ -1,5 +1,5 @@
 // Which cells of the physics grid are liquid, from the tracked surface.
-#include "sims/fluid/liquid.h"
+#include "sims/fluid/liquid/liquid.h"
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
@@ -8,9 +8,9 @@
 #include <cmath>
 #include <map>
 
-#include "kernel/measures.h"
+#include "kernel/measure/measures.h"
 #include "kernel/sort_unique.h"
-#include "sims/fluid/surface_cells.h"
+#include "sims/fluid/liquid/surface_cells.h"
 
 namespace suture {
 namespace {

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "kernel/triangles.h"
-#include "sims/fluid/solids.h"
-#include "sims/fluid/sparse_grid.h"
+#include "sims/fluid/solids/solids.h"
+#include "sims/fluid/grid/sparse_grid.h"
 
 namespace suture {
 

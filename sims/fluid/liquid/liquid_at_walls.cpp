@@ -3,9 +3,9 @@
 #include <cmath>
 #include <memory>
 
-#include "kernel/nearest_triangle.h"
+#include "kernel/measure/nearest_triangle.h"
 #include "kernel/sort_unique.h"
-#include "sims/fluid/liquid.h"
+#include "sims/fluid/liquid/liquid.h"
 
 namespace suture {
 namespace {

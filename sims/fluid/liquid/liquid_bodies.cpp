@@ -1,12 +1,12 @@
 // The connected parts of the liquid: drops and pools, each with the bubbles that are in it.
-#include "sims/fluid/liquid_bodies.h"
+#include "sims/fluid/liquid/liquid_bodies.h"
 
 #include <algorithm>
 #include <optional>
 
-#include "kernel/measures.h"
-#include "kernel/signed_distance.h"
-#include "sims/fluid/crossing.h"
+#include "kernel/measure/measures.h"
+#include "kernel/measure/signed_distance.h"
+#include "sims/fluid/liquid/crossing.h"
 
 namespace suture {
 namespace {

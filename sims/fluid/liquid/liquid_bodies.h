@@ -4,9 +4,9 @@
 #include <cstdint>
 #include <vector>
 
-#include "kernel/nearest_triangle.h"
+#include "kernel/measure/nearest_triangle.h"
 #include "kernel/triangles.h"
-#include "sims/fluid/liquid.h"
+#include "sims/fluid/liquid/liquid.h"
 
 namespace suture {
 

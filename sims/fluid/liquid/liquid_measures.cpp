@@ -1,11 +1,11 @@
 // What the liquid has of energy and momentum, and how fast and how free of divergence it flows.
-#include "sims/fluid/liquid_measures.h"
+#include "sims/fluid/liquid/liquid_measures.h"
 
 #include <algorithm>
 #include <cmath>
 
 #include "kernel/errors.h"
-#include "sims/fluid/cut_cube.h"
+#include "sims/fluid/grid/cut_cube.h"
 
 namespace suture {
 namespace {

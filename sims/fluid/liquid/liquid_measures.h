@@ -3,9 +3,9 @@
 
 #include <vector>
 
-#include "sims/fluid/liquid.h"
-#include "sims/fluid/mac_velocity.h"
-#include "sims/fluid/solids.h"
+#include "sims/fluid/liquid/liquid.h"
+#include "sims/fluid/grid/mac_velocity.h"
+#include "sims/fluid/solids/solids.h"
 
 namespace suture {
 

@@ -1,9 +1,9 @@
 // Drops without a cell's centre: no pressure carries them, so at a solid they move as one.
-#include "sims/fluid/small_drops.h"
+#include "sims/fluid/liquid/subgrid_droplets.h"
 
 #include <algorithm>
 
-#include "sims/fluid/slip.h"
+#include "sims/fluid/solids/wall_projection.h"
 
 namespace suture {
 namespace {

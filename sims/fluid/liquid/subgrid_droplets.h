@@ -3,8 +3,8 @@
 
 #include <vector>
 
-#include "sims/fluid/liquid.h"
-#include "sims/fluid/mac_velocity.h"
+#include "sims/fluid/liquid/liquid.h"
+#include "sims/fluid/grid/mac_velocity.h"
 
 namespace suture {
 

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "kernel/triangles.h"
-#include "sims/fluid/liquid.h"
-#include "sims/fluid/sparse_grid.h"
+#include "sims/fluid/liquid/liquid.h"
+#include "sims/fluid/grid/sparse_grid.h"
 
 namespace suture {
 

@@ -1,9 +1,9 @@
 // How much of each control volume of the staggered grid is liquid.
-#include "sims/fluid/shares.h"
+#include "sims/fluid/liquid/volume_fractions.h"
 
 #include <cmath>
 
-#include "sims/fluid/cut_cube.h"
+#include "sims/fluid/grid/cut_cube.h"
 
 namespace suture {
 namespace {

@@ -4,7 +4,7 @@
 #include <array>
 #include <vector>
 
-#include "sims/fluid/liquid.h"
+#include "sims/fluid/liquid/liquid.h"
 
 namespace suture {
 

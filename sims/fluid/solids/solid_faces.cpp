@@ -5,7 +5,7 @@
 #include <limits>
 #include <utility>
 
-#include "sims/fluid/solids.h"
+#include "sims/fluid/solids/solids.h"
 
 namespace suture {
 namespace {

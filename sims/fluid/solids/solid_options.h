@@ -2,7 +2,7 @@
 #pragma once
 
 #include "kernel/triangles.h"
-#include "sims/fluid/solids.h"
+#include "sims/fluid/solids/solids.h"
 
 namespace suture {
 

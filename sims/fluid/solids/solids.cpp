@@ -1,5 +1,5 @@
 // Solid walls and bodies: distances, motions.
-#include "sims/fluid/solids.h"
+#include "sims/fluid/solids/solids.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,8 +7,8 @@
 #include <numbers>
 
 #include "kernel/errors.h"
-#include "kernel/signed_distance.h"
-#include "sims/fluid/liquid.h"
+#include "kernel/measure/signed_distance.h"
+#include "sims/fluid/liquid/liquid.h"
 
 namespace suture {
 

@@ -6,7 +6,7 @@
 
 #include "kernel/lattice.h"
 #include "kernel/triangles.h"
-#include "sims/fluid/sparse_grid.h"
+#include "sims/fluid/grid/sparse_grid.h"
 
 namespace suture {
 

@@ -1,5 +1,5 @@
 // Liquid slides along solids and does not enter them.
-#include "sims/fluid/slip.h"
+#include "sims/fluid/solids/wall_projection.h"
 
 #include <algorithm>
 #include <cmath>

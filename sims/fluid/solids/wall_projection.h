@@ -1,8 +1,8 @@
 // Liquid slides along solids and does not enter them.
 #pragma once
 
-#include "sims/fluid/mac_velocity.h"
-#include "sims/fluid/solids.h"
+#include "sims/fluid/grid/mac_velocity.h"
+#include "sims/fluid/solids/solids.h"
 
 namespace suture {
 

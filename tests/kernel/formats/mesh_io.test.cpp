@@ -1,4 +1,4 @@
-#include "kernel/mesh_io.h"
+#include "kernel/formats/mesh_io.h"
 
 #include <catch2/catch.hpp>
 #include <fstream>
@@ -8,7 +8,7 @@
 #include "kernel/errors.h"
 #include "kernel/files.h"
 #include "kernel/formats/formats.h"
-#include "kernel/measures.h"
+#include "kernel/measure/measures.h"
 #include "tests/kernel/folder.h"
 #include "tests/kernel/tiny.h"
 

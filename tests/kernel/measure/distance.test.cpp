@@ -1,4 +1,4 @@
-#include "kernel/distance.h"
+#include "kernel/measure/distance.h"
 
 #include <catch2/catch.hpp>
 

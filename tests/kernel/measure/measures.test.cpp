@@ -1,4 +1,4 @@
-#include "kernel/measures.h"
+#include "kernel/measure/measures.h"
 
 #include <catch2/catch.hpp>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "kernel/nearest_triangle.h"
+#include "kernel/measure/nearest_triangle.h"
 
 #include <CGAL/Exact_rational.h>
 

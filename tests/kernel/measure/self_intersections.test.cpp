@@ -1,4 +1,4 @@
-#include "kernel/self_intersections.h"
+#include "kernel/measure/self_intersections.h"
 
 #include <CGAL/Polygon_mesh_processing/self_intersections.h>
 

@@ -1,11 +1,11 @@
-#include "kernel/signed_distance.h"
+#include "kernel/measure/signed_distance.h"
 
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <numbers>
 
 #include "kernel/errors.h"
-#include "kernel/shapes.h"
+#include "kernel/shapes/shapes.h"
 #include "tests/kernel/tiny.h"
 
 using namespace suture;

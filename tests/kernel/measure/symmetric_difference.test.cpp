@@ -1,13 +1,13 @@
 // Differences by volume, against bodies for which they are known.
-#include "kernel/symmetric_difference.h"
+#include "kernel/measure/symmetric_difference.h"
 
 #include <catch2/catch.hpp>
 #include <cmath>
 
 #include "kernel/errors.h"
-#include "kernel/measures.h"
-#include "kernel/shapes.h"
-#include "kernel/transform.h"
+#include "kernel/measure/measures.h"
+#include "kernel/shapes/shapes.h"
+#include "kernel/shapes/transform.h"
 
 using namespace suture;
 

@@ -1,12 +1,12 @@
-#include "kernel/repair.h"
+#include "kernel/repair/repair.h"
 
 #include <catch2/catch.hpp>
 #include <limits>
 
 #include "kernel/audit.h"
 #include "kernel/errors.h"
-#include "kernel/measures.h"
-#include "kernel/orientation.h"
+#include "kernel/measure/measures.h"
+#include "kernel/repair/orientation.h"
 #include "tests/kernel/tiny.h"
 #include "tests/models.h"
 

@@ -1,4 +1,4 @@
-#include "kernel/shapes.h"
+#include "kernel/shapes/shapes.h"
 
 #include <Eigen/Geometry>
 #include <catch2/catch.hpp>
@@ -9,10 +9,10 @@
 
 #include "kernel/audit.h"
 #include "kernel/errors.h"
-#include "kernel/measures.h"
-#include "kernel/self_intersections.h"
-#include "kernel/shape_catalogue.h"
-#include "kernel/transform.h"
+#include "kernel/measure/measures.h"
+#include "kernel/measure/self_intersections.h"
+#include "kernel/shapes/catalogue.h"
+#include "kernel/shapes/transform.h"
 
 using namespace suture;
 

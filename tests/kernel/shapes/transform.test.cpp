@@ -1,4 +1,4 @@
-#include "kernel/transform.h"
+#include "kernel/shapes/transform.h"
 
 #include <catch2/catch.hpp>
 #include <cmath>

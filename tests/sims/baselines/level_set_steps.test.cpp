@@ -2,8 +2,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "sims/rivals/mac_cormack.h"
-#include "sims/rivals/upwind_advection.h"
+#include "sims/baselines/level_set/mac_cormack.h"
+#include "sims/baselines/level_set/upwind_advection.h"
 
 using namespace suture;
 

@@ -1,4 +1,4 @@
-#include "sims/rivals/method.h"
+#include "sims/baselines/method.h"
 
 #include <tbb/global_control.h>
 
@@ -6,11 +6,11 @@
 
 #include "kernel/audit.h"
 #include "kernel/errors.h"
-#include "kernel/measures.h"
-#include "sims/method_stepper.h"
-#include "sims/run.h"
-#include "sims/scene.h"
-#include "tests/sims/program.h"
+#include "kernel/measure/measures.h"
+#include "sims/driver/method_stepper.h"
+#include "sims/driver/run.h"
+#include "sims/scene/scene.h"
+#include "tests/sims/cli/program.h"
 
 using namespace suture;
 using Catch::Matchers::Contains;

@@ -1,12 +1,12 @@
-#include "tests/sims/program.h"
+#include "tests/sims/cli/program.h"
 
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 
 #include "kernel/audit.h"
-#include "kernel/measures.h"
-#include "kernel/mesh_io.h"
-#include "kernel/transform.h"
+#include "kernel/measure/measures.h"
+#include "kernel/formats/mesh_io.h"
+#include "kernel/shapes/transform.h"
 #include "sims/output/report_json.h"
 #include "tests/sims/balls.h"
 

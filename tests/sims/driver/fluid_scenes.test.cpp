@@ -3,10 +3,10 @@
 #include <set>
 
 #include "kernel/errors.h"
-#include "kernel/mesh_io.h"
+#include "kernel/formats/mesh_io.h"
 #include "sims/fluid/fluid_options.h"
-#include "sims/scene.h"
-#include "tests/sims/program.h"
+#include "sims/scene/scene.h"
+#include "tests/sims/cli/program.h"
 
 using namespace suture;
 

@@ -1,8 +1,8 @@
 #include <catch2/catch.hpp>
 
 #include "kernel/audit.h"
-#include "kernel/measures.h"
-#include "kernel/shapes.h"
+#include "kernel/measure/measures.h"
+#include "kernel/shapes/shapes.h"
 #include "sims/flows/fields.h"
 
 using namespace suture;

@@ -6,10 +6,10 @@
 #include <functional>
 #include <memory>
 
-#include "sims/fluid/liquid.h"
-#include "sims/fluid/mac_velocity.h"
-#include "sims/fluid/shares.h"
-#include "sims/fluid/solids.h"
+#include "sims/fluid/liquid/liquid.h"
+#include "sims/fluid/grid/mac_velocity.h"
+#include "sims/fluid/liquid/volume_fractions.h"
+#include "sims/fluid/solids/solids.h"
 
 namespace suture {
 

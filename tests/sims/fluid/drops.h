@@ -2,8 +2,8 @@
 #pragma once
 
 #include "kernel/random.h"
-#include "kernel/shapes.h"
-#include "kernel/transform.h"
+#include "kernel/shapes/shapes.h"
+#include "kernel/shapes/transform.h"
 #include "surgery/tracker.h"
 
 namespace suture {

@@ -2,7 +2,7 @@
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 
-#include "tests/sims/program.h"
+#include "tests/sims/cli/program.h"
 
 using nlohmann::json;
 using namespace suture;

@@ -1,5 +1,5 @@
 // Drops without a cell, and solids that overlap the liquid, trap it, or squeeze it to nothing.
-#include "sims/fluid/slip.h"
+#include "sims/fluid/solids/wall_projection.h"
 #include "tests/sims/fluid/watched.h"
 
 using namespace suture;

@@ -3,10 +3,10 @@
 
 #include <catch2/catch.hpp>
 
-#include "kernel/shapes.h"
+#include "kernel/shapes/shapes.h"
 #include "sims/fluid/frame.h"
-#include "sims/rivals/level_set.h"
-#include "sims/rivals/mesh_tracker.h"
+#include "sims/baselines/level_set/level_set.h"
+#include "sims/tracking/mesh_tracker.h"
 #include "tests/sims/fluid/watched.h"
 
 using namespace suture;

@@ -4,12 +4,12 @@
 #include <functional>
 #include <memory>
 
-#include "kernel/shapes.h"
-#include "kernel/signed_distance.h"
-#include "sims/fluid/liquid.h"
-#include "sims/fluid/mac_velocity.h"
+#include "kernel/shapes/shapes.h"
+#include "kernel/measure/signed_distance.h"
+#include "sims/fluid/liquid/liquid.h"
+#include "sims/fluid/grid/mac_velocity.h"
 #include "sims/fluid/pressure.h"
-#include "sims/fluid/solids.h"
+#include "sims/fluid/solids/solids.h"
 
 namespace suture {
 

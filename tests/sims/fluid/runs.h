@@ -6,11 +6,11 @@
 #include <numbers>
 #include <utility>
 
-#include "kernel/measures.h"
-#include "kernel/shapes.h"
-#include "kernel/transform.h"
+#include "kernel/measure/measures.h"
+#include "kernel/shapes/shapes.h"
+#include "kernel/shapes/transform.h"
 #include "sims/fluid/frame.h"
-#include "sims/rivals/mesh_tracker.h"
+#include "sims/tracking/mesh_tracker.h"
 #include "tests/sims/fluid/blobs.h"
 #include "tests/sims/fluid/drops.h"
 

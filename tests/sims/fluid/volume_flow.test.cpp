@@ -1,8 +1,8 @@
 #include <catch2/catch.hpp>
 
 #include "kernel/errors.h"
-#include "kernel/measures.h"
-#include "sims/fluid/volume_control.h"
+#include "kernel/measure/measures.h"
+#include "sims/fluid/effects/volume_control.h"
 #include "tests/sims/fluid/drops.h"
 #include "tests/sims/fluid/liquids.h"
 

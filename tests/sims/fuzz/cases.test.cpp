@@ -9,8 +9,8 @@
 #include "sims/fuzz/generators.h"
 #include "sims/fuzz/operation_maker.h"
 #include "sims/fuzz/oracles.h"
-#include "sims/fuzz/sweep.h"
-#include "tests/sims/program.h"
+#include "sims/fuzz/extrude.h"
+#include "tests/sims/cli/program.h"
 
 using namespace suture;
 

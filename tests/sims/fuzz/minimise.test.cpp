@@ -3,15 +3,15 @@
 #include <csignal>
 
 #include "kernel/audit.h"
-#include "kernel/measures.h"
-#include "kernel/shapes.h"
+#include "kernel/measure/measures.h"
+#include "kernel/shapes/shapes.h"
 #include "sims/fuzz/case_file.h"
 #include "sims/fuzz/case_maker.h"
 #include "sims/fuzz/corpus.h"
 #include "sims/fuzz/execute.h"
 #include "sims/fuzz/smaller.h"
 #include "surgery/tracker.h"
-#include "tests/sims/program.h"
+#include "tests/sims/cli/program.h"
 
 using namespace suture;
 

@@ -2,13 +2,13 @@
 #include <cmath>
 
 #include "kernel/errors.h"
-#include "kernel/measures.h"
-#include "kernel/shapes.h"
-#include "kernel/transform.h"
+#include "kernel/measure/measures.h"
+#include "kernel/shapes/shapes.h"
+#include "kernel/shapes/transform.h"
 #include "sims/fuzz/case_maker.h"
 #include "sims/fuzz/execute.h"
 #include "sims/fuzz/oracles.h"
-#include "surgery/surgery_check.h"
+#include "surgery/check/surgery_check.h"
 #include "surgery/tracker.h"
 
 using namespace suture;

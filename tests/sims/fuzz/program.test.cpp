@@ -5,7 +5,7 @@
 #include "sims/fuzz/case_maker.h"
 #include "sims/fuzz/corpus.h"
 #include "sims/fuzz/execute.h"
-#include "tests/sims/program.h"
+#include "tests/sims/cli/program.h"
 
 using namespace suture;
 

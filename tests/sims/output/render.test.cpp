@@ -8,7 +8,7 @@
 #include "kernel/errors.h"
 #include "sims/output/colours.h"
 #include "tests/sims/balls.h"
-#include "tests/sims/program.h"
+#include "tests/sims/cli/program.h"
 
 using namespace suture;
 

@@ -1,12 +1,12 @@
-#include "sims/scene.h"
+#include "sims/scene/scene.h"
 
 #include <catch2/catch.hpp>
 #include <cmath>
 
 #include "kernel/audit.h"
 #include "kernel/errors.h"
-#include "kernel/measures.h"
-#include "tests/sims/program.h"
+#include "kernel/measure/measures.h"
+#include "tests/sims/cli/program.h"
 
 using namespace suture;
 

@@ -1,5 +1,5 @@
 // Exact references, against shapes and flows whose images are known by formula.
-#include "sims/accuracy/exact_flow.h"
+#include "sims/study/exact_flow.h"
 
 #include <catch2/catch.hpp>
 #include <cmath>
@@ -7,7 +7,7 @@
 
 #include "kernel/audit.h"
 #include "kernel/errors.h"
-#include "kernel/measures.h"
+#include "kernel/measure/measures.h"
 
 using namespace suture;
 

@@ -3,12 +3,12 @@
 #include <cmath>
 
 #include "kernel/errors.h"
-#include "kernel/measures.h"
-#include "kernel/shapes.h"
-#include "kernel/transform.h"
-#include "sims/accuracy/compare.h"
-#include "sims/accuracy/method_run.h"
-#include "tests/sims/program.h"
+#include "kernel/measure/measures.h"
+#include "kernel/shapes/shapes.h"
+#include "kernel/shapes/transform.h"
+#include "sims/study/compare.h"
+#include "sims/study/method_run.h"
+#include "tests/sims/cli/program.h"
 
 using namespace suture;
 using Catch::Matchers::Contains;

@@ -3,11 +3,11 @@
 #include <set>
 
 #include "kernel/errors.h"
-#include "kernel/measures.h"
-#include "kernel/mesh_io.h"
-#include "sims/trade/plan.h"
-#include "sims/trade/reference.h"
-#include "tests/sims/program.h"
+#include "kernel/measure/measures.h"
+#include "kernel/formats/mesh_io.h"
+#include "sims/study/plan.h"
+#include "sims/study/reference.h"
+#include "tests/sims/cli/program.h"
 
 using namespace suture;
 using Catch::Matchers::Contains;

@@ -4,10 +4,10 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "sims/trade/plot.h"
-#include "sims/trade/table.h"
-#include "tests/sims/program.h"
-#include "tests/sims/trade_rows.h"
+#include "sims/study/plot.h"
+#include "sims/study/table.h"
+#include "tests/sims/cli/program.h"
+#include "tests/sims/study/trade_rows.h"
 
 using namespace suture;
 using Catch::Matchers::Contains;

@@ -3,12 +3,12 @@
 #include <cmath>
 
 #include "kernel/errors.h"
-#include "sims/trade/front.h"
-#include "sims/trade/plot.h"
-#include "sims/trade/recommend.h"
-#include "sims/trade/table.h"
-#include "tests/sims/program.h"
-#include "tests/sims/trade_rows.h"
+#include "sims/study/front.h"
+#include "sims/study/plot.h"
+#include "sims/study/recommend.h"
+#include "sims/study/table.h"
+#include "tests/sims/cli/program.h"
+#include "tests/sims/study/trade_rows.h"
 
 using namespace suture;
 using Catch::Matchers::Contains;

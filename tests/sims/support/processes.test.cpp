@@ -1,5 +1,5 @@
 // Work in processes of its own.
-#include "sims/processes.h"
+#include "sims/support/processes.h"
 
 #include <unistd.h>
 

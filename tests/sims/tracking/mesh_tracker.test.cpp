@@ -1,10 +1,10 @@
-#include "sims/rivals/mesh_tracker.h"
+#include "sims/tracking/mesh_tracker.h"
 
 #include <catch2/catch.hpp>
 #include <map>
 
 #include "kernel/errors.h"
-#include "kernel/measures.h"
+#include "kernel/measure/measures.h"
 #include "sims/flows/fields.h"
 #include "tests/sims/balls.h"
 

@@ -1,8 +1,8 @@
-#include "surgery/paper_order.h"
+#include "surgery/collapse/paper_order.h"
 
 #include <catch2/catch.hpp>
 
-#include "kernel/self_intersections.h"
+#include "kernel/measure/self_intersections.h"
 #include "tests/surgery/hostile.h"
 #include "tests/surgery/support.h"
 

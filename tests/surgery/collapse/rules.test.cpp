@@ -1,4 +1,4 @@
-#include "surgery/collapse_rules.h"
+#include "surgery/collapse/rules.h"
 
 #include <CGAL/Kernel/global_functions_3.h>
 #include <CGAL/boost/graph/Euler_operations.h>
@@ -6,7 +6,7 @@
 #include <catch2/catch.hpp>
 
 #include "kernel/audit.h"
-#include "surgery/local_change.h"
+#include "surgery/collapse/local_change.h"
 #include "tests/surgery/quality_bodies.h"
 
 using namespace suture;

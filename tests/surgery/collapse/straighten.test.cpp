@@ -1,10 +1,10 @@
-#include "surgery/straighten.h"
+#include "surgery/collapse/straighten.h"
 
 #include <catch2/catch.hpp>
 
 #include "kernel/audit.h"
-#include "kernel/measures.h"
-#include "surgery/quality_passes.h"
+#include "kernel/measure/measures.h"
+#include "surgery/quality/passes.h"
 #include "tests/surgery/quality_bodies.h"
 
 using namespace suture;

@@ -1,10 +1,10 @@
-#include "surgery/winding.h"
+#include "surgery/detect/winding.h"
 
 #include <catch2/catch.hpp>
 
-#include "kernel/nearest_triangle.h"
+#include "kernel/measure/nearest_triangle.h"
 #include "kernel/random.h"
-#include "surgery/distance_field.h"
+#include "surgery/detect/distance_field.h"
 #include "tests/surgery/support.h"
 
 using namespace suture;

@@ -1,4 +1,4 @@
-#include "surgery/quality.h"
+#include "surgery/quality/improve.h"
 
 #include <Eigen/Geometry>
 
@@ -7,8 +7,8 @@
 
 #include "kernel/audit.h"
 #include "kernel/errors.h"
-#include "kernel/measures.h"
-#include "kernel/shapes.h"
+#include "kernel/measure/measures.h"
+#include "kernel/shapes/shapes.h"
 #include "surgery/advect.h"
 #include "surgery/tracker.h"
 #include "tests/surgery/quality_bodies.h"

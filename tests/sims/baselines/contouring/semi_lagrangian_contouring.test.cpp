@@ -1,4 +1,4 @@
-#include "sims/rivals/semi_lagrangian_contouring.h"
+#include "sims/baselines/contouring/semi_lagrangian_contouring.h"
 
 #include <catch2/catch.hpp>
 #include <cmath>
@@ -8,8 +8,8 @@
 
 #include "kernel/audit.h"
 #include "kernel/errors.h"
-#include "kernel/measures.h"
-#include "kernel/shapes.h"
+#include "kernel/measure/measures.h"
+#include "kernel/shapes/shapes.h"
 #include "sims/flows/fields.h"
 #include "tests/sims/balls.h"
 

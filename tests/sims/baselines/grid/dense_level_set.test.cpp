@@ -1,15 +1,15 @@
 // What a particle level set is made of, each on its own.
-#include "sims/rivals/dense_level_set.h"
+#include "sims/baselines/grid/dense_level_set.h"
 
 #include <catch2/catch.hpp>
 
 #include "kernel/audit.h"
-#include "kernel/measures.h"
-#include "kernel/shapes.h"
-#include "sims/rivals/fast_marching.h"
-#include "sims/rivals/level_set_surface.h"
-#include "sims/rivals/marker_correction.h"
-#include "sims/rivals/semi_lagrangian.h"
+#include "kernel/measure/measures.h"
+#include "kernel/shapes/shapes.h"
+#include "sims/baselines/particle_level_set/fast_marching.h"
+#include "sims/baselines/grid/level_set_surface.h"
+#include "sims/baselines/particle_level_set/marker_correction.h"
+#include "sims/baselines/particle_level_set/semi_lagrangian.h"
 
 using namespace suture;
 

@@ -1,14 +1,14 @@
-#include "sims/rivals/level_set_grid.h"
+#include "sims/baselines/grid/level_set_grid.h"
 
 #include <catch2/catch.hpp>
 #include <cmath>
 
 #include "kernel/audit.h"
 #include "kernel/errors.h"
-#include "kernel/measures.h"
+#include "kernel/measure/measures.h"
 #include "kernel/random.h"
-#include "kernel/shapes.h"
-#include "kernel/signed_distance.h"
+#include "kernel/shapes/shapes.h"
+#include "kernel/measure/signed_distance.h"
 #include "tests/sims/balls.h"
 
 using namespace suture;

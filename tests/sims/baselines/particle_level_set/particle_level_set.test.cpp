@@ -1,4 +1,4 @@
-#include "sims/rivals/particle_level_set.h"
+#include "sims/baselines/particle_level_set/particle_level_set.h"
 
 #include <tbb/global_control.h>
 
@@ -7,9 +7,9 @@
 
 #include "kernel/audit.h"
 #include "kernel/errors.h"
-#include "kernel/measures.h"
-#include "kernel/nearest_triangle.h"
-#include "kernel/shapes.h"
+#include "kernel/measure/measures.h"
+#include "kernel/measure/nearest_triangle.h"
+#include "kernel/shapes/shapes.h"
 #include "sims/flows/fields.h"
 
 using namespace suture;

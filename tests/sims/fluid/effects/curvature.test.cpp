@@ -1,7 +1,7 @@
 #include <catch2/catch.hpp>
 
-#include "kernel/measures.h"
-#include "sims/fluid/surface_tension.h"
+#include "kernel/measure/measures.h"
+#include "sims/fluid/effects/surface_tension.h"
 #include "tests/sims/balls.h"
 #include "tests/sims/fluid/drops.h"
 

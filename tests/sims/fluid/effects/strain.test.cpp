@@ -1,9 +1,9 @@
-#include "sims/fluid/strain.h"
+#include "sims/fluid/effects/strain.h"
 
 #include <Eigen/Geometry>
 #include <catch2/catch.hpp>
 
-#include "sims/fluid/viscoelasticity.h"
+#include "sims/fluid/effects/viscoelasticity.h"
 #include "tests/sims/fluid/blobs.h"
 
 namespace suture {

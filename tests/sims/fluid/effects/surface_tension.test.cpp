@@ -4,8 +4,8 @@
 
 #include "kernel/errors.h"
 #include "sims/fluid/fluid.h"
-#include "sims/fluid/surface_tension.h"
-#include "sims/rivals/mesh_tracker.h"
+#include "sims/fluid/effects/surface_tension.h"
+#include "sims/tracking/mesh_tracker.h"
 #include "tests/sims/balls.h"
 #include "tests/sims/fluid/drops.h"
 #include "tests/sims/fluid/liquids.h"

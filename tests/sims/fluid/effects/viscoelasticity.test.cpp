@@ -1,10 +1,10 @@
-#include "sims/fluid/viscoelasticity.h"
+#include "sims/fluid/effects/viscoelasticity.h"
 
 #include <catch2/catch.hpp>
 
 #include "kernel/errors.h"
 #include "sims/fluid/pressure.h"
-#include "sims/fluid/viscosity.h"
+#include "sims/fluid/effects/viscosity.h"
 #include "tests/sims/fluid/blobs.h"
 
 namespace suture {

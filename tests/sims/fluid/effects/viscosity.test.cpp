@@ -1,4 +1,4 @@
-#include "sims/fluid/viscosity.h"
+#include "sims/fluid/effects/viscosity.h"
 
 #include <catch2/catch.hpp>
 #include <limits>

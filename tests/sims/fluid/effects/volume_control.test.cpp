@@ -1,11 +1,11 @@
 #include <catch2/catch.hpp>
 
 #include "kernel/errors.h"
-#include "kernel/measures.h"
-#include "kernel/shapes.h"
-#include "kernel/transform.h"
-#include "sims/fluid/body_groups.h"
-#include "sims/fluid/volume_control.h"
+#include "kernel/measure/measures.h"
+#include "kernel/shapes/shapes.h"
+#include "kernel/shapes/transform.h"
+#include "sims/fluid/liquid/component_tracking.h"
+#include "sims/fluid/effects/volume_control.h"
 #include "surgery/tracker.h"
 
 using namespace suture;

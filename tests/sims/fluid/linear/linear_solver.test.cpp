@@ -1,4 +1,4 @@
-#include "sims/fluid/linear_solver.h"
+#include "sims/fluid/linear/linear_solver.h"
 
 #include <Eigen/SparseCholesky>
 #include <Eigen/SparseCore>
@@ -8,7 +8,7 @@
 
 #include "kernel/errors.h"
 #include "kernel/random.h"
-#include "sims/fluid/cell_boxes.h"
+#include "sims/fluid/grid/cell_boxes.h"
 
 using namespace suture;
 

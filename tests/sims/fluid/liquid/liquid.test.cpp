@@ -1,4 +1,4 @@
-#include "sims/fluid/liquid.h"
+#include "sims/fluid/liquid/liquid.h"
 
 #include <atomic>
 #include <catch2/catch.hpp>
@@ -6,8 +6,8 @@
 #include <limits>
 
 #include "kernel/errors.h"
-#include "kernel/transform.h"
-#include "sims/processes.h"
+#include "kernel/shapes/transform.h"
+#include "sims/support/processes.h"
 #include "tests/sims/fluid/drops.h"
 #include "tests/sims/fluid/liquids.h"
 

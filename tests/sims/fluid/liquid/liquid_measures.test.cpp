@@ -3,8 +3,8 @@
 
 #include "kernel/errors.h"
 #include "kernel/random.h"
-#include "sims/fluid/cut_cube.h"
-#include "sims/fluid/liquid_measures.h"
+#include "sims/fluid/grid/cut_cube.h"
+#include "sims/fluid/liquid/liquid_measures.h"
 
 using namespace suture;
 

@@ -1,4 +1,4 @@
-#include "sims/fluid/solids.h"
+#include "sims/fluid/solids/solids.h"
 
 #include <catch2/catch.hpp>
 #include <cmath>
@@ -7,8 +7,8 @@
 
 #include "kernel/errors.h"
 #include "kernel/random.h"
-#include "kernel/shapes.h"
-#include "kernel/signed_distance.h"
+#include "kernel/shapes/shapes.h"
+#include "kernel/measure/signed_distance.h"
 
 using namespace suture;
 

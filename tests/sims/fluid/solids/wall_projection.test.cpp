@@ -1,4 +1,4 @@
-#include "sims/fluid/slip.h"
+#include "sims/fluid/solids/wall_projection.h"
 
 #include <catch2/catch.hpp>
 #include <cmath>
