@@ -1,7 +1,7 @@
 // The classic Runge–Kutta method of order 4, vertex by vertex [§4].
 #include "surgery/advect.h"
 
-namespace suture {
+namespace suture::surgery {
 
 std::vector<Point> advected(const std::vector<Point>& positions, const VelocityField& u, double t,
                             double dt) {
@@ -17,4 +17,4 @@ std::vector<Point> advected(const std::vector<Point>& positions, const VelocityF
   return moved;
 }
 
-}  // namespace suture
+}  // namespace suture::surgery

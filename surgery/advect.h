@@ -3,10 +3,10 @@
 
 #include "surgery/tracker.h"
 
-namespace suture {
+namespace suture::surgery {
 
 /// Positions after one step of the classic Runge–Kutta method of order 4 from t to t + dt.
 std::vector<Point> advected(const std::vector<Point>& positions, const VelocityField& u, double t,
                             double dt);
 
-}  // namespace suture
+}  // namespace suture::surgery

@@ -10,23 +10,23 @@
 #include "kernel/audit.h"
 #include "kernel/errors.h"
 #include "kernel/measure/measures.h"
-#include "surgery/detect/budget.h"
-#include "surgery/operate/coincident.h"
-#include "surgery/detect/complex_cells.h"
-#include "surgery/operate/cut.h"
-#include "surgery/detect/deep_cells.h"
-#include "surgery/operate/fill.h"
-#include "surgery/detect/invariance.h"
-#include "surgery/model/jitter.h"
 #include "surgery/collapse/local_change.h"
 #include "surgery/collapse/paper_order.h"
-#include "surgery/operate/placement.h"
-#include "surgery/detect/region.h"
-#include "surgery/operate/stitch.h"
 #include "surgery/collapse/straighten.h"
+#include "surgery/detect/budget.h"
+#include "surgery/detect/complex_cells.h"
+#include "surgery/detect/deep_cells.h"
+#include "surgery/detect/invariance.h"
+#include "surgery/detect/region.h"
+#include "surgery/model/jitter.h"
 #include "surgery/model/tracker_lattice.h"
+#include "surgery/operate/coincident.h"
+#include "surgery/operate/cut.h"
+#include "surgery/operate/fill.h"
+#include "surgery/operate/placement.h"
+#include "surgery/operate/stitch.h"
 
-namespace suture {
+namespace suture::surgery {
 
 namespace {
 
@@ -366,4 +366,4 @@ SurgeryReport remodel(Surface& surface, const TrackerOptions& options, const Ora
   return report;
 }
 
-}  // namespace suture
+}  // namespace suture::surgery

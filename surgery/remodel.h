@@ -6,7 +6,7 @@
 #include "surgery/model/report.h"
 #include "surgery/model/surface.h"
 
-namespace suture {
+namespace suture::surgery {
 
 /// Remodels `surface` in place, or leaves it untouched to the last bit and says why in the report.
 /// \pre closed manifold, finite, without garbage; or empty
@@ -14,4 +14,4 @@ namespace suture {
 SurgeryReport remodel(Surface& surface, const TrackerOptions& options, const Oracle& oracle,
                       Trace* trace);
 
-}  // namespace suture
+}  // namespace suture::surgery

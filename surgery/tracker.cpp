@@ -12,12 +12,14 @@
 #include "predicates/floating_point.h"
 #include "surgery/advect.h"
 #include "surgery/detect/budget.h"
-#include "surgery/quality/improve.h"
-#include "surgery/remodel.h"
 #include "surgery/model/tracker_lattice.h"
 #include "surgery/model/unit.h"
+#include "surgery/quality/improve.h"
+#include "surgery/remodel.h"
 
 namespace suture {
+
+using namespace surgery;
 
 namespace {
 

@@ -6,9 +6,9 @@
 
 #include "kernel/trace.h"
 #include "kernel/triangles.h"
+#include "surgery/detect/surface_distance.h"
 #include "surgery/model/options.h"
 #include "surgery/model/report.h"
-#include "surgery/detect/surface_distance.h"
 
 namespace suture {
 

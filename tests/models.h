@@ -7,12 +7,13 @@
 #include <string>
 
 #include "kernel/formats/mesh_io.h"
+#include "tests/paths.h"
 
 namespace suture {
 
 /// Where the mesh with this file name (as in data/models.toml, say "horse.ply") lies, or nothing.
 inline std::optional<std::filesystem::path> classic_path(const std::string& file) {
-  const std::filesystem::path source = SUTURE_SOURCE_DIR;
+  const std::filesystem::path source = source_dir();
   const char* const chosen = std::getenv("SUTURE_MODELS");
   for (const std::filesystem::path& folder :
        {std::filesystem::path(chosen != nullptr ? chosen : ""), source / "data" / "models",

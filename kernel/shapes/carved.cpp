@@ -5,8 +5,8 @@
 #include <numbers>
 
 #include "kernel/random.h"
-#include "kernel/shapes/relax.h"
 #include "kernel/shapes/checks.h"
+#include "kernel/shapes/relax.h"
 #include "kernel/shapes/shapes.h"
 
 namespace suture {

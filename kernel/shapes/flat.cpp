@@ -5,8 +5,8 @@
 
 #include "kernel/shapes/checks.h"
 #include "kernel/shapes/shapes.h"
-#include "kernel/sparse_field.h"
 #include "kernel/shapes/transform.h"
+#include "kernel/sparse_field.h"
 
 namespace suture {
 

@@ -3,8 +3,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "kernel/shapes/rings.h"
 #include "kernel/shapes/checks.h"
+#include "kernel/shapes/rings.h"
 #include "kernel/shapes/shapes.h"
 #include "kernel/shapes/transform.h"
 

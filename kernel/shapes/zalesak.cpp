@@ -5,9 +5,9 @@
 #include <numbers>
 #include <span>
 
+#include "kernel/shapes/checks.h"
 #include "kernel/shapes/relax.h"
 #include "kernel/shapes/rings.h"
-#include "kernel/shapes/checks.h"
 #include "kernel/shapes/shapes.h"
 #include "kernel/shapes/transform.h"
 

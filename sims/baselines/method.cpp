@@ -2,10 +2,10 @@
 #include "sims/baselines/method.h"
 
 #include "kernel/errors.h"
-#include "sims/tracking/mesh_tracker.h"
 #include "sims/scene/scene.h"
+#include "sims/tracking/mesh_tracker.h"
 
-namespace suture {
+namespace suture::sims {
 namespace {
 
 void require_fields(const Scene& scene) {
@@ -47,4 +47,4 @@ std::unique_ptr<SurfaceTracker> make_surface_tracker(const Scene& scene) {
   return make_mesh_tracker(scene.surface, scene.tracker, {remodel, improve});
 }
 
-}  // namespace suture
+}  // namespace suture::sims

@@ -3,12 +3,12 @@
 
 #include <memory>
 
-#include "sims/support/keys.h"
+#include "sims/baselines/contouring/semi_lagrangian_contouring.h"
 #include "sims/baselines/level_set/level_set.h"
 #include "sims/baselines/particle_level_set/particle_level_set.h"
-#include "sims/baselines/contouring/semi_lagrangian_contouring.h"
+#include "sims/support/keys.h"
 
-namespace suture {
+namespace suture::sims {
 
 enum class MethodKind {
   mesh,                   ///< the tracker, with all that the scene says of it
@@ -47,4 +47,4 @@ struct Scene;
 /// refuses its options or the surface
 std::unique_ptr<SurfaceTracker> make_surface_tracker(const Scene& scene);
 
-}  // namespace suture
+}  // namespace suture::sims

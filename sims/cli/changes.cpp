@@ -3,7 +3,7 @@
 
 #include "kernel/errors.h"
 
-namespace suture {
+namespace suture::sims {
 namespace {
 
 /// A word of the command line as a scene file would have it: true, 3, 0.5, [1, 2], or text.
@@ -49,4 +49,4 @@ SceneChanges read_changes(const ChangeOptions& options) {
   return changes;
 }
 
-}  // namespace suture
+}  // namespace suture::sims

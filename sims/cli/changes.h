@@ -8,7 +8,7 @@
 
 #include "sims/scene/scene.h"
 
-namespace suture {
+namespace suture::sims {
 
 struct ChangeOptions {
   std::string method;                ///< empty: the scene's
@@ -21,4 +21,4 @@ void add_change_options(CLI::App& command, ChangeOptions& options);
 /// \throw InvalidInput for what is not table.key=value
 SceneChanges read_changes(const ChangeOptions& options);
 
-}  // namespace suture
+}  // namespace suture::sims

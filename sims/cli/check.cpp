@@ -10,7 +10,7 @@
 #include "sims/cli/inputs.h"
 #include "sims/output/report_json.h"
 
-namespace suture {
+namespace suture::sims {
 namespace {
 
 constexpr std::size_t kMostPairs = 1'000'000;  // beyond it nobody needs the number itself
@@ -138,4 +138,4 @@ void add_check(CLI::App& app, int& exit) {
   command->callback([s, &exit] { exit = check(*s); });
 }
 
-}  // namespace suture
+}  // namespace suture::sims

@@ -9,7 +9,7 @@
 
 #include "sims/support/keys.h"
 
-namespace suture {
+namespace suture::sims {
 
 /// Lets an option take one of the names of an enumeration.
 template <class T, std::size_t N>
@@ -28,4 +28,4 @@ void add_choice(CLI::App& command, const std::string& flag, T& value,
   command.add_option_function<std::string>(flag, choose, help)->check(allowed)->type_name("WORD");
 }
 
-}  // namespace suture
+}  // namespace suture::sims

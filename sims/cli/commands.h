@@ -3,7 +3,7 @@
 
 #include <CLI/CLI.hpp>
 
-namespace suture {
+namespace suture::sims {
 
 /// What the program tells its caller.
 enum Exit : int { kDone = 0, kNo = 1, kBadInput = 2, kFailure = 3 };
@@ -18,4 +18,4 @@ void add_trade(CLI::App& app, int& exit);
 void add_draw(CLI::App& app, int& exit);
 void add_measure(CLI::App& app, int& exit);
 
-}  // namespace suture
+}  // namespace suture::sims

@@ -10,7 +10,7 @@
 #include "sims/output/render.h"
 #include "sims/scene/scene.h"
 
-namespace suture {
+namespace suture::sims {
 namespace {
 
 struct Settings {
@@ -115,4 +115,4 @@ void add_draw(CLI::App& app, int& exit) {
   });
 }
 
-}  // namespace suture
+}  // namespace suture::sims

@@ -17,7 +17,7 @@
 #include "sims/scene/option_names.h"
 #include "sims/support/version.h"
 
-namespace suture {
+namespace suture::sims {
 namespace {
 
 namespace fs = std::filesystem;
@@ -224,4 +224,4 @@ void add_fuzz(CLI::App& app, int& exit) {
   command->callback([s, command, &exit] { exit = fuzz(*s, *command); });
 }
 
-}  // namespace suture
+}  // namespace suture::sims

@@ -11,7 +11,7 @@
 #include "kernel/repair/repair.h"
 #include "kernel/shapes/transform.h"
 
-namespace suture {
+namespace suture::sims {
 
 namespace {
 
@@ -78,4 +78,4 @@ std::filesystem::path reproducer_beside(const std::filesystem::path& out) {
   return file.replace_filename(out.stem().string() + ".reproducer.ply");
 }
 
-}  // namespace suture
+}  // namespace suture::sims

@@ -7,7 +7,7 @@
 
 #include "kernel/triangles.h"
 
-namespace suture {
+namespace suture::sims {
 
 /// Input files, and whether to mend what has one right answer.
 struct Inputs {
@@ -37,4 +37,4 @@ void require_folder_of(const std::filesystem::path& file);
 /// The file beside `out` in which the input of a failed computation is kept.
 std::filesystem::path reproducer_beside(const std::filesystem::path& out);
 
-}  // namespace suture
+}  // namespace suture::sims

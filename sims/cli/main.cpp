@@ -17,6 +17,7 @@ int report(const std::exception& error, int exit) {
 
 int run_program(int argc, char** argv) {
   using namespace suture;
+  using namespace suture::sims;
   int exit = kDone;
   try {
     CLI::App app("Deforming meshes that split and merge.", "suture");
@@ -59,5 +60,5 @@ int main(int argc, char** argv) {
   const int exit = run_program(argc, argv);
   if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return exit;
   fmt::print(stderr, "suture: standard output could not be written; check the space there\n");
-  return exit == suture::kFailure ? exit : suture::kBadInput;
+  return exit == suture::sims::kFailure ? exit : suture::sims::kBadInput;
 }

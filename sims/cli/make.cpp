@@ -8,7 +8,7 @@
 #include "sims/cli/inputs.h"
 #include "sims/support/keys.h"
 
-namespace suture {
+namespace suture::sims {
 namespace {
 
 struct Settings {
@@ -69,4 +69,4 @@ void add_make(CLI::App& app, int& exit) {
   });
 }
 
-}  // namespace suture
+}  // namespace suture::sims

@@ -4,13 +4,13 @@
 #include <algorithm>
 
 #include "kernel/errors.h"
-#include "sims/study/measurement.h"
 #include "sims/cli/changes.h"
 #include "sims/cli/commands.h"
 #include "sims/cli/inputs.h"
 #include "sims/cli/progress_bar.h"
+#include "sims/study/measurement.h"
 
-namespace suture {
+namespace suture::sims {
 namespace {
 
 struct Settings {
@@ -127,4 +127,4 @@ void add_measure(CLI::App& app, int& exit) {
   command->callback([s, &exit] { exit = run_measure(*s); });
 }
 
-}  // namespace suture
+}  // namespace suture::sims

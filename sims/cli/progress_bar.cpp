@@ -6,7 +6,7 @@
 
 #include <cstdio>
 
-namespace suture {
+namespace suture::sims {
 
 ProgressBar::ProgressBar() : terminal_(isatty(STDERR_FILENO) == 1) {}
 
@@ -24,4 +24,4 @@ void ProgressBar::stepped(const Progress& p) {
   drawn_ = true;
 }
 
-}  // namespace suture
+}  // namespace suture::sims

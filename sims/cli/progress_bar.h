@@ -3,7 +3,7 @@
 
 #include "sims/driver/run.h"
 
-namespace suture {
+namespace suture::sims {
 
 /// Draws on standard error, and only where that is a terminal.
 class ProgressBar : public RunWatcher {
@@ -20,4 +20,4 @@ class ProgressBar : public RunWatcher {
   bool drawn_ = false;
 };
 
-}  // namespace suture
+}  // namespace suture::sims

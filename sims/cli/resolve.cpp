@@ -8,19 +8,19 @@
 #include "kernel/audit.h"
 #include "kernel/errors.h"
 #include "kernel/files.h"
-#include "kernel/measure/measures.h"
 #include "kernel/formats/mesh_io.h"
+#include "kernel/measure/measures.h"
 #include "sims/cli/choices.h"
 #include "sims/cli/commands.h"
 #include "sims/cli/inputs.h"
 #include "sims/flows/vertex_values.h"
-#include "sims/scene/option_names.h"
 #include "sims/output/colours.h"
 #include "sims/output/render.h"
 #include "sims/output/report_json.h"
+#include "sims/scene/option_names.h"
 #include "surgery/tracker.h"
 
-namespace suture {
+namespace suture::sims {
 namespace {
 
 namespace fs = std::filesystem;
@@ -192,4 +192,4 @@ void add_resolve(CLI::App& app, int& exit) {
   });
 }
 
-}  // namespace suture
+}  // namespace suture::sims

@@ -7,7 +7,7 @@
 #include "sims/cli/commands.h"
 #include "sims/cli/progress_bar.h"
 
-namespace suture {
+namespace suture::sims {
 namespace {
 
 struct Settings {
@@ -49,4 +49,4 @@ void add_run(CLI::App& app, int& exit) {
   command->callback([s, &exit] { exit = run_scene(*s); });
 }
 
-}  // namespace suture
+}  // namespace suture::sims

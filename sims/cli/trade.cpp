@@ -6,7 +6,7 @@
 
 #include "sims/cli/commands.h"
 
-namespace suture {
+namespace suture::sims {
 namespace {
 
 /// One line that is drawn over where somebody watches, a line a run where nobody does.
@@ -91,4 +91,4 @@ void add_trade(CLI::App& app, int& exit) {
   command->callback([o, &exit] { exit = run_trade(*o); });
 }
 
-}  // namespace suture
+}  // namespace suture::sims

@@ -6,7 +6,7 @@
 #include "kernel/errors.h"
 #include "kernel/measure/nearest_triangle.h"
 
-namespace suture {
+namespace suture::sims {
 namespace {
 
 /// Each place begins with the velocity of the body that is nearest.
@@ -43,4 +43,4 @@ void FluidSteps::step(std::int64_t index, StepWatcher& watcher) {
   tracker_->watch(nullptr);
 }
 
-}  // namespace suture
+}  // namespace suture::sims

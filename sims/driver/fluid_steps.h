@@ -1,10 +1,10 @@
 // A scene's frames as a fluid makes them: steps as short as it needs, topology at their ends [§7].
 #pragma once
 
-#include "sims/fluid/frame.h"
 #include "sims/driver/stepper.h"
+#include "sims/fluid/frame.h"
 
-namespace suture {
+namespace suture::sims {
 
 /// The scene's `time.step` is a frame. Keeps a reference to the scene.
 class FluidSteps : public Steps {
@@ -31,4 +31,4 @@ class FluidSteps : public Steps {
   FluidFrame frame_;
 };
 
-}  // namespace suture
+}  // namespace suture::sims

@@ -4,7 +4,7 @@
 #include "kernel/errors.h"
 #include "sims/driver/fluid_steps.h"
 
-namespace suture {
+namespace suture::sims {
 
 MethodStepper::MethodStepper(Scene& scene) : scene_(scene), tracker_(make_surface_tracker(scene)) {
   for (const Phase& phase : scene.phases)
@@ -30,4 +30,4 @@ std::unique_ptr<Steps> make_steps(Scene& scene, const TrackerOptions& options) {
   return std::make_unique<MethodStepper>(scene);
 }
 
-}  // namespace suture
+}  // namespace suture::sims

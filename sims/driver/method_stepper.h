@@ -3,10 +3,10 @@
 
 #include <memory>
 
-#include "sims/tracking/surface_tracker.h"
 #include "sims/driver/stepper.h"
+#include "sims/tracking/surface_tracker.h"
 
-namespace suture {
+namespace suture::sims {
 
 /// For methods that do for themselves what the Stepper does for a mesh: watchers hear of moves
 /// only.
@@ -28,4 +28,4 @@ class MethodStepper : public Steps {
 /// A Stepper if the scene's method is "mesh", with these options; else a MethodStepper.
 std::unique_ptr<Steps> make_steps(Scene& scene, const TrackerOptions& options);
 
-}  // namespace suture
+}  // namespace suture::sims

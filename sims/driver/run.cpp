@@ -10,18 +10,18 @@
 
 #include "kernel/errors.h"
 #include "kernel/files.h"
-#include "kernel/measure/measures.h"
 #include "kernel/formats/mesh_io.h"
+#include "kernel/measure/measures.h"
+#include "sims/driver/method_stepper.h"
+#include "sims/driver/stepper.h"
 #include "sims/flows/vertex_values.h"
 #include "sims/fluid/fluid.h"
-#include "sims/driver/method_stepper.h"
 #include "sims/output/colours.h"
 #include "sims/output/render.h"
 #include "sims/output/report_json.h"
-#include "sims/driver/stepper.h"
 #include "sims/support/version.h"
 
-namespace suture {
+namespace suture::sims {
 namespace {
 
 using nlohmann::json;
@@ -228,4 +228,4 @@ RunSummary run(Scene& scene, const std::filesystem::path& folder, RunWatcher* wa
   return Run(scene, folder).all(watcher);
 }
 
-}  // namespace suture
+}  // namespace suture::sims

@@ -8,7 +8,7 @@
 #include "kernel/audit.h"
 #include "sims/scene/scene.h"
 
-namespace suture {
+namespace suture::sims {
 
 /// Where a run is.
 struct Progress {
@@ -41,4 +41,4 @@ struct RunSummary {
 /// named in the message, if a step breaks down
 RunSummary run(Scene& scene, const std::filesystem::path& folder, RunWatcher* watcher = nullptr);
 
-}  // namespace suture
+}  // namespace suture::sims

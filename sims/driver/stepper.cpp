@@ -5,7 +5,7 @@
 
 #include "kernel/errors.h"
 
-namespace suture {
+namespace suture::sims {
 
 double step_end(const TimeOptions& time, std::int64_t index) {
   return std::min(static_cast<double>(index) * time.step, time.end);
@@ -52,4 +52,4 @@ void Stepper::surface_changed(const std::vector<std::uint32_t>& vertex_map) {
   for (Phase& phase : scene_.phases) phase.motion->surface_changed(tracker_.surface(), vertex_map);
 }
 
-}  // namespace suture
+}  // namespace suture::sims

@@ -3,10 +3,10 @@
 
 #include <cstdint>
 
-#include "sims/tracking/surface_tracker.h"
 #include "sims/scene/scene.h"
+#include "sims/tracking/surface_tracker.h"
 
-namespace suture {
+namespace suture::sims {
 
 class Fluid;
 struct FluidFrame;
@@ -53,4 +53,4 @@ class Stepper : public Steps {
   Tracker tracker_;
 };
 
-}  // namespace suture
+}  // namespace suture::sims

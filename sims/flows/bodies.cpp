@@ -7,7 +7,7 @@
 #include "kernel/measure/measures.h"
 #include "sims/flows/vertex_values.h"
 
-namespace suture {
+namespace suture::sims {
 namespace {
 
 class BodiesMotion : public Motion {
@@ -62,4 +62,4 @@ std::unique_ptr<Motion> make_bodies_motion(std::vector<Point> velocities, double
   return std::make_unique<BodiesMotion>(std::move(velocities), relaxation);
 }
 
-}  // namespace suture
+}  // namespace suture::sims

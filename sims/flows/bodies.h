@@ -3,7 +3,7 @@
 
 #include "sims/flows/motion.h"
 
-namespace suture {
+namespace suture::sims {
 
 /// Every vertex has a velocity of its own, at first its body's; so bodies move rigidly and into
 /// each other. Within a connected component velocities relax towards their mean, weighted by area,
@@ -11,4 +11,4 @@ namespace suture {
 /// for each vertex of the tracker's surface
 std::unique_ptr<Motion> make_bodies_motion(std::vector<Point> velocities, double relaxation);
 
-}  // namespace suture
+}  // namespace suture::sims

@@ -7,7 +7,7 @@
 #include "kernel/random.h"
 #include "sims/flows/fields.h"
 
-namespace suture {
+namespace suture::sims {
 namespace {
 
 /// One term of the vector potential: amplitude · cos(k·x + phase + frequency·t).
@@ -67,4 +67,4 @@ VelocityField curl_noise(const CurlNoiseParameters& parameters) {
   };
 }
 
-}  // namespace suture
+}  // namespace suture::sims

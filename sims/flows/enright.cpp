@@ -4,7 +4,7 @@
 
 #include "sims/flows/fields.h"
 
-namespace suture {
+namespace suture::sims {
 
 VelocityField enright(const EnrightParameters& parameters) {
   constexpr double pi = std::numbers::pi;
@@ -18,4 +18,4 @@ VelocityField enright(const EnrightParameters& parameters) {
   };
 }
 
-}  // namespace suture
+}  // namespace suture::sims

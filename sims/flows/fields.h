@@ -5,7 +5,7 @@
 
 #include "surgery/tracker.h"
 
-namespace suture {
+namespace suture::sims {
 
 /// Rigid rotation: rate × axis × (x − centre). Zalesak's is the rate π/314 about (50, 50, ·).
 struct RotationParameters {
@@ -72,4 +72,4 @@ struct FoldParameters {
 /// \throw InvalidInput unless axis and up are two directions at right angles
 VelocityField fold(const FoldParameters& parameters);
 
-}  // namespace suture
+}  // namespace suture::sims

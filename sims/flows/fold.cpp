@@ -5,7 +5,7 @@
 #include "kernel/errors.h"
 #include "sims/flows/fields.h"
 
-namespace suture {
+namespace suture::sims {
 
 VelocityField fold(const FoldParameters& parameters) {
   constexpr double right_angle = 1e-9;  // cosine: what rounding leaves of one, with room
@@ -24,4 +24,4 @@ VelocityField fold(const FoldParameters& parameters) {
   };
 }
 
-}  // namespace suture
+}  // namespace suture::sims

@@ -7,7 +7,7 @@
 
 #include "kernel/errors.h"
 
-namespace suture {
+namespace suture::sims {
 namespace {
 
 using Matrix = Eigen::SparseMatrix<double>;
@@ -74,4 +74,4 @@ std::vector<Point> mean_curvature_flow(const Triangles& surface, double time) {
   return moved;
 }
 
-}  // namespace suture
+}  // namespace suture::sims

@@ -3,7 +3,7 @@
 
 #include "kernel/triangles.h"
 
-namespace suture {
+namespace suture::sims {
 
 /// Positions after the surface has moved for `time` with the normal velocity −(κ₁ + κ₂), so that a
 /// sphere shrinks as r² = r₀² − 4·time. Backward Euler: stable for any `time` >= 0, first order.
@@ -11,4 +11,4 @@ namespace suture {
 /// solved
 std::vector<Point> mean_curvature_flow(const Triangles& surface, double time);
 
-}  // namespace suture
+}  // namespace suture::sims

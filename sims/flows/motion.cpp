@@ -9,7 +9,7 @@
 #include "sims/flows/mean_curvature.h"
 #include "sims/flows/normal_flow.h"
 
-namespace suture {
+namespace suture::sims {
 namespace {
 
 class FieldMotion : public Motion {
@@ -163,4 +163,4 @@ std::unique_ptr<Motion> make_motion(const std::string& kind, Keys& keys,
                      joined(motion_names()));
 }
 
-}  // namespace suture
+}  // namespace suture::sims

@@ -8,7 +8,7 @@
 #include "sims/support/keys.h"
 #include "surgery/tracker.h"
 
-namespace suture {
+namespace suture::sims {
 
 /// Moves a tracker's surface forward in time.
 class Motion {
@@ -38,4 +38,4 @@ std::vector<std::string> motion_names();
 std::unique_ptr<Motion> make_motion(const std::string& kind, Keys& keys,
                                     const std::vector<Point>& velocities);
 
-}  // namespace suture
+}  // namespace suture::sims

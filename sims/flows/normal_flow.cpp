@@ -3,7 +3,7 @@
 
 #include <Eigen/Geometry>
 
-namespace suture {
+namespace suture::sims {
 
 std::vector<Point> vertex_normals(const Triangles& surface) {
   const auto& x = surface.positions;
@@ -26,4 +26,4 @@ std::vector<Point> normal_flow(const Triangles& surface, double distance) {
   return moved;
 }
 
-}  // namespace suture
+}  // namespace suture::sims

@@ -5,7 +5,7 @@
 #include "kernel/errors.h"
 #include "sims/flows/fields.h"
 
-namespace suture {
+namespace suture::sims {
 
 VelocityField translation(const Point& velocity) {
   return [velocity](const Point&, double) -> Point { return velocity; };
@@ -27,4 +27,4 @@ VelocityField reversed(VelocityField u, double time) {
   };
 }
 
-}  // namespace suture
+}  // namespace suture::sims

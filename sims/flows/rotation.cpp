@@ -4,7 +4,7 @@
 
 #include <Eigen/Geometry>
 
-namespace suture {
+namespace suture::sims {
 
 VelocityField rotation(const RotationParameters& parameters) {
   if (!(parameters.axis.norm() > 0))
@@ -14,4 +14,4 @@ VelocityField rotation(const RotationParameters& parameters) {
   return [=](const Point& x, double) -> Point { return omega.cross(x - centre); };
 }
 
-}  // namespace suture
+}  // namespace suture::sims

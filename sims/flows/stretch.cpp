@@ -4,7 +4,7 @@
 #include "kernel/errors.h"
 #include "sims/flows/fields.h"
 
-namespace suture {
+namespace suture::sims {
 
 VelocityField stretch(const StretchParameters& parameters) {
   if (!(parameters.axis.norm() > 0))
@@ -20,4 +20,4 @@ VelocityField stretch(const StretchParameters& parameters) {
   };
 }
 
-}  // namespace suture
+}  // namespace suture::sims

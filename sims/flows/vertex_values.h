@@ -3,7 +3,7 @@
 
 #include "kernel/triangles.h"
 
-namespace suture {
+namespace suture::sims {
 
 /// Values at the new surface's vertices: the mean of the old vertices that `vertex_map` sends
 /// there; for a new vertex the mean of its neighbours that have one, from known ones outwards, or
@@ -42,4 +42,4 @@ std::vector<T> carried(const std::vector<T>& values, const T& zero, const Triang
   return sum;
 }
 
-}  // namespace suture
+}  // namespace suture::sims

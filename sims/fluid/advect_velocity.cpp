@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-namespace suture {
+namespace suture::sims {
 namespace {
 
 /// A face and where the path to it began.
@@ -69,4 +69,4 @@ MacVelocity carried(const MacVelocity& old, const Liquid& liquid, double dt,
   return now;
 }
 
-}  // namespace suture
+}  // namespace suture::sims

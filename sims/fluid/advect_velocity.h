@@ -1,10 +1,10 @@
 // Velocity carried by itself from one grid to the next.
 #pragma once
 
-#include "sims/fluid/liquid/liquid.h"
 #include "sims/fluid/grid/mac_velocity.h"
+#include "sims/fluid/liquid/liquid.h"
 
-namespace suture {
+namespace suture::sims {
 
 enum class VelocityAdvection {
   semi_lagrangian,  ///< first order; paths by the third-order rule of Ralston [Bridson 2015, §3]
@@ -36,4 +36,4 @@ MacVelocity carried(const MacVelocity& old, const Liquid& liquid, double dt,
 /// Where the path through u that ends at p after dt began; dt < 0 goes on instead.
 Point path_start(const MacVelocity& u, const Point& p, double dt);
 
-}  // namespace suture
+}  // namespace suture::sims

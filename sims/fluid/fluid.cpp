@@ -8,11 +8,11 @@
 
 #include "kernel/errors.h"
 #include "sims/fluid/effects/effects.h"
+#include "sims/fluid/liquid/subgrid_droplets.h"
 #include "sims/fluid/pressure.h"
 #include "sims/fluid/solids/wall_projection.h"
-#include "sims/fluid/liquid/subgrid_droplets.h"
 
-namespace suture {
+namespace suture::sims {
 namespace {
 
 constexpr int kBand = 3;         // cells round the liquid that exist whatever the step
@@ -272,4 +272,4 @@ LiquidMeasures Fluid::measures() const {
 const FluidStep& Fluid::last() const { return state_->last; }
 std::vector<ModuleCost> Fluid::costs() const { return state_->costs.all(); }
 
-}  // namespace suture
+}  // namespace suture::sims

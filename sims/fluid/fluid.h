@@ -11,7 +11,7 @@
 #include "sims/fluid/module_cost.h"
 #include "sims/tracking/surface_tracker.h"
 
-namespace suture {
+namespace suture::sims {
 
 /// The last step, for reports.
 struct FluidStep {
@@ -67,4 +67,4 @@ class Fluid {
   std::unique_ptr<State> state_;
 };
 
-}  // namespace suture
+}  // namespace suture::sims

@@ -5,12 +5,12 @@
 #include <vector>
 
 #include "sims/fluid/advect_velocity.h"
-#include "sims/fluid/linear/linear_solver.h"
-#include "sims/fluid/solids/solid_options.h"
 #include "sims/fluid/effects/viscoelasticity.h"
 #include "sims/fluid/effects/volume_control.h"
+#include "sims/fluid/linear/linear_solver.h"
+#include "sims/fluid/solids/solid_options.h"
 
-namespace suture {
+namespace suture::sims {
 
 struct FluidOptions {
   double cell_size = 0;  ///< of the physics grid; the tracker's lattice and edges are set apart
@@ -39,4 +39,4 @@ struct FluidOptions {
   std::vector<SolidOptions> solids;
 };
 
-}  // namespace suture
+}  // namespace suture::sims

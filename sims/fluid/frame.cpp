@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <utility>
 
-namespace suture {
+namespace suture::sims {
 namespace {
 
 void add(FluidFrame& frame, const FluidStep& step) {
@@ -42,4 +42,4 @@ void settle(Fluid& fluid, SurfaceTracker& surface) {
   fluid.after_remodel(surface.surface());
 }
 
-}  // namespace suture
+}  // namespace suture::sims

@@ -5,7 +5,7 @@
 
 #include "sims/fluid/fluid.h"
 
-namespace suture {
+namespace suture::sims {
 
 /// All steps of a frame, for reports: what they had at worst.
 struct FluidFrame {
@@ -25,4 +25,4 @@ FluidFrame run_frame(Fluid& fluid, SurfaceTracker& surface, double end, int most
 /// The surface's topology, with the fluid told.
 void settle(Fluid& fluid, SurfaceTracker& surface);
 
-}  // namespace suture
+}  // namespace suture::sims

@@ -8,7 +8,7 @@
 
 #include "sims/support/processes.h"
 
-namespace suture {
+namespace suture::sims {
 
 struct ModuleCost {
   std::string name;
@@ -53,4 +53,4 @@ class ModuleCosts {
   std::vector<ModuleCost> costs_;
 };
 
-}  // namespace suture
+}  // namespace suture::sims

@@ -7,7 +7,7 @@
 
 #include "kernel/errors.h"
 
-namespace suture {
+namespace suture::sims {
 namespace {
 
 /// How near to a cell's centre its surface may be, as a part of the way to the next: a row grows
@@ -245,4 +245,4 @@ SolveReport project(MacVelocity& velocity, const ProjectionInput& input,
   return Projection(velocity, input).run(options);
 }
 
-}  // namespace suture
+}  // namespace suture::sims

@@ -1,12 +1,12 @@
 // Makes the velocity of the liquid free of divergence, or of the divergence that is wanted.
 #pragma once
 
+#include "sims/fluid/grid/mac_velocity.h"
 #include "sims/fluid/linear/linear_solver.h"
 #include "sims/fluid/liquid/liquid.h"
-#include "sims/fluid/grid/mac_velocity.h"
 #include "sims/fluid/solids/solids.h"
 
-namespace suture {
+namespace suture::sims {
 
 struct ProjectionInput {
   const Liquid& liquid;
@@ -30,4 +30,4 @@ struct ProjectionInput {
 SolveReport project(MacVelocity& velocity, const ProjectionInput& input,
                     const SolverOptions& options = {});
 
-}  // namespace suture
+}  // namespace suture::sims

@@ -16,7 +16,7 @@
 #include "kernel/trace.h"
 #include "sims/fuzz/child.h"
 
-namespace suture {
+namespace suture::sims {
 
 namespace {
 
@@ -175,4 +175,4 @@ FuzzSummary run_campaign(const CampaignOptions& options, const CaseRunner& run,
   return Campaign(options, run, watcher).go();
 }
 
-}  // namespace suture
+}  // namespace suture::sims

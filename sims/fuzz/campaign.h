@@ -5,7 +5,7 @@
 
 #include "sims/fuzz/summary.h"
 
-namespace suture {
+namespace suture::sims {
 
 struct CampaignOptions {
   std::uint64_t first = 1;   ///< seed
@@ -27,4 +27,4 @@ using CampaignWatcher = std::function<void(const FuzzSummary&, double seconds)>;
 FuzzSummary run_campaign(const CampaignOptions& options, const CaseRunner& run,
                          const CampaignWatcher& watcher = {});
 
-}  // namespace suture
+}  // namespace suture::sims

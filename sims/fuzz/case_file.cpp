@@ -11,7 +11,7 @@
 #include "sims/scene/scene.h"
 #include "sims/scene/toml_keys.h"
 
-namespace suture {
+namespace suture::sims {
 
 namespace {
 
@@ -144,4 +144,4 @@ CorpusCase read_case(const std::filesystem::path& file) {
   return c;
 }
 
-}  // namespace suture
+}  // namespace suture::sims

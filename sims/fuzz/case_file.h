@@ -6,7 +6,7 @@
 
 #include "sims/fuzz/fuzz_case.h"
 
-namespace suture {
+namespace suture::sims {
 
 /// A case, and why it is kept.
 struct CorpusCase {
@@ -21,4 +21,4 @@ std::string to_toml(const CorpusCase& c);
 /// \throw InvalidInput with file, line and what is wrong if it is not what to_toml gives
 CorpusCase read_case(const std::filesystem::path& file);
 
-}  // namespace suture
+}  // namespace suture::sims

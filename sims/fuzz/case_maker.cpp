@@ -10,7 +10,7 @@
 #include "sims/fuzz/perturbation.h"
 #include "sims/scene/option_names.h"
 
-namespace suture {
+namespace suture::sims {
 
 namespace {
 
@@ -121,4 +121,4 @@ FuzzCase make_case(std::uint64_t seed, const CaseOptions& options) {
   return c;
 }
 
-}  // namespace suture
+}  // namespace suture::sims

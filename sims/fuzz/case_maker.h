@@ -5,7 +5,7 @@
 
 #include "sims/fuzz/fuzz_case.h"
 
-namespace suture {
+namespace suture::sims {
 
 /// What cases are like.
 enum class Profile {
@@ -30,4 +30,4 @@ struct CaseOptions {
 
 FuzzCase make_case(std::uint64_t seed, const CaseOptions& options);
 
-}  // namespace suture
+}  // namespace suture::sims

@@ -20,7 +20,7 @@
 #include "kernel/errors.h"
 #include "kernel/trace.h"
 
-namespace suture {
+namespace suture::sims {
 
 namespace {
 
@@ -131,4 +131,4 @@ Isolated run_isolated(const std::function<std::string()>& work, double seconds) 
   }
 }
 
-}  // namespace suture
+}  // namespace suture::sims

@@ -6,7 +6,7 @@
 #include <functional>
 #include <string>
 
-namespace suture {
+namespace suture::sims {
 
 /// A running child; killed if it still runs when this goes.
 class Child {
@@ -47,4 +47,4 @@ struct Isolated {
 };
 Isolated run_isolated(const std::function<std::string()>& work, double seconds);
 
-}  // namespace suture
+}  // namespace suture::sims

@@ -11,7 +11,7 @@
 #include "sims/fuzz/child.h"
 #include "sims/fuzz/execute.h"
 
-namespace suture {
+namespace suture::sims {
 
 namespace {
 
@@ -139,4 +139,4 @@ void save_failures(FuzzSummary& summary, const std::filesystem::path& folder,
   }
 }
 
-}  // namespace suture
+}  // namespace suture::sims

@@ -10,7 +10,7 @@
 #include "sims/fuzz/oracles.h"
 #include "sims/fuzz/summary.h"
 
-namespace suture {
+namespace suture::sims {
 
 /// Runs the case in a child. \return its counts and at most one failure, crashes and hangs included
 FuzzSummary run_in_child(const FuzzCase& c, const OracleChoice& oracles, double seconds);
@@ -26,4 +26,4 @@ void save_failures(FuzzSummary& summary, const std::filesystem::path& folder,
                    const OracleChoice& oracles, const MinimiseLimits& limits,
                    const std::function<FuzzCase(std::uint64_t)>& case_of);
 
-}  // namespace suture
+}  // namespace suture::sims

@@ -12,7 +12,7 @@
 #include "sims/scene/option_names.h"
 #include "surgery/tracker.h"
 
-namespace suture {
+namespace suture::sims {
 
 namespace {
 
@@ -232,4 +232,4 @@ CaseRun run_case(const FuzzCase& c, const OracleChoice& oracles, const CaseWatch
   return Run(c, oracles, watcher).go();
 }
 
-}  // namespace suture
+}  // namespace suture::sims

@@ -7,7 +7,7 @@
 #include "sims/fuzz/oracles.h"
 #include "sims/fuzz/summary.h"
 
-namespace suture {
+namespace suture::sims {
 
 /// What a case came to.
 struct CaseRun {
@@ -22,4 +22,4 @@ using CaseWatcher = std::function<void(std::size_t, const Triangles&)>;
 /// too costly for a fuzzer, which ends it early. Depends on nothing but its arguments.
 CaseRun run_case(const FuzzCase& c, const OracleChoice& oracles, const CaseWatcher& watcher = {});
 
-}  // namespace suture
+}  // namespace suture::sims

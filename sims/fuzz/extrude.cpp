@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace suture {
+namespace suture::sims {
 
 Triangles sweep(const std::vector<std::vector<Point>>& stations, Ends ends) {
   Triangles surface;
@@ -55,4 +55,4 @@ Triangles tube(const std::vector<Point>& middle, const TubeShape& shape) {
   return sweep(stations, shape.ends);
 }
 
-}  // namespace suture
+}  // namespace suture::sims

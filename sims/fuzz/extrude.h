@@ -5,7 +5,7 @@
 
 #include "kernel/triangles.h"
 
-namespace suture {
+namespace suture::sims {
 
 /// A closed oriented manifold through `stations`, each the same polygon's vertices in the same
 /// order, counter-clockwise seen from the stations ahead. Its ends are capped by fans, or joined
@@ -21,4 +21,4 @@ struct TubeShape {
 };
 Triangles tube(const std::vector<Point>& middle, const TubeShape& shape);
 
-}  // namespace suture
+}  // namespace suture::sims

@@ -9,7 +9,7 @@
 #include "sims/support/keys.h"
 #include "surgery/model/options.h"
 
-namespace suture {
+namespace suture::sims {
 
 /// One call of the tracker. `values` are its parameters by name, as a corpus file has them:
 /// advance: motion, dt, that motion's own ones, and seed and speed for the motion `bodies`;
@@ -36,4 +36,4 @@ struct FuzzCase {
   std::vector<Operation> operations;
 };
 
-}  // namespace suture
+}  // namespace suture::sims

@@ -12,7 +12,7 @@
 #include "sims/fuzz/extrude.h"
 #include "sims/support/keys.h"
 
-namespace suture {
+namespace suture::sims {
 
 namespace {
 
@@ -274,4 +274,4 @@ Triangles generate(const std::string& name, Draw draw) {
                      joined(generator_names()));
 }
 
-}  // namespace suture
+}  // namespace suture::sims

@@ -7,7 +7,7 @@
 #include "kernel/random.h"
 #include "kernel/triangles.h"
 
-namespace suture {
+namespace suture::sims {
 
 /// What a generator may draw on. Surfaces are about one unit across.
 struct Draw {
@@ -22,4 +22,4 @@ std::vector<std::string> generator_names();
 /// A surface by the generator of that name. \throw InvalidInput for a name that is not known
 Triangles generate(const std::string& name, Draw draw);
 
-}  // namespace suture
+}  // namespace suture::sims

@@ -9,7 +9,7 @@
 #include "kernel/trace.h"
 #include "sims/fuzz/smaller.h"
 
-namespace suture {
+namespace suture::sims {
 
 namespace {
 
@@ -163,4 +163,4 @@ Minimised minimise(FuzzCase c, const StillFails& still_fails, const SurfaceBefor
   return Minimiser(std::move(c), still_fails, surface_before, limits).go();
 }
 
-}  // namespace suture
+}  // namespace suture::sims

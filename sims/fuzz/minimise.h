@@ -6,7 +6,7 @@
 
 #include "sims/fuzz/fuzz_case.h"
 
-namespace suture {
+namespace suture::sims {
 
 struct MinimiseLimits {
   double seconds = 20;  ///< on one case
@@ -29,4 +29,4 @@ struct Minimised {
 Minimised minimise(FuzzCase c, const StillFails& still_fails, const SurfaceBefore& surface_before,
                    const MinimiseLimits& limits);
 
-}  // namespace suture
+}  // namespace suture::sims

@@ -6,7 +6,7 @@
 #include "sims/flows/motion.h"
 #include "sims/scene/option_names.h"
 
-namespace suture {
+namespace suture::sims {
 
 namespace {
 
@@ -131,4 +131,4 @@ Spoiling spoiling_of(const Operation& operation) {
   return s;
 }
 
-}  // namespace suture
+}  // namespace suture::sims

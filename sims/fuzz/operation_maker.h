@@ -5,7 +5,7 @@
 #include "sims/fuzz/case_maker.h"
 #include "sims/fuzz/perturbation.h"
 
-namespace suture {
+namespace suture::sims {
 
 /// Lengths that a case's operations follow.
 struct OperationSizes {
@@ -21,4 +21,4 @@ std::vector<Operation> make_operations(Profile profile, const OperationSizes& si
 Operation displacement(const Spoiling& spoiling);
 Spoiling spoiling_of(const Operation& operation);
 
-}  // namespace suture
+}  // namespace suture::sims

@@ -15,7 +15,7 @@
 #include "surgery/check/surgery_check.h"
 #include "surgery/tracker.h"
 
-namespace suture {
+namespace suture::sims {
 
 namespace {
 
@@ -231,4 +231,4 @@ bool OracleChoice::asks(const FuzzOracle& oracle, std::uint64_t seed) const {
   return words_ == "sampled" && Random(~seed).below(kSampled) == 0;
 }
 
-}  // namespace suture
+}  // namespace suture::sims

@@ -10,7 +10,7 @@
 #include "surgery/model/options.h"
 #include "surgery/model/report.h"
 
-namespace suture {
+namespace suture::sims {
 
 /// One call of the tracker, seen from outside.
 struct Observation {
@@ -69,4 +69,4 @@ Objection object_axes(const Observation& o);
 Objection object_cells(const Observation& o);
 Objection object_order(const Observation& o);
 
-}  // namespace suture
+}  // namespace suture::sims

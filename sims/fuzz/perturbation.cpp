@@ -6,7 +6,7 @@
 
 #include "kernel/random.h"
 
-namespace suture {
+namespace suture::sims {
 
 namespace {
 
@@ -79,4 +79,4 @@ void spoil(std::vector<Point>& positions, const Spoiling& s, double cell, const 
   }
 }
 
-}  // namespace suture
+}  // namespace suture::sims

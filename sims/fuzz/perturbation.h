@@ -7,7 +7,7 @@
 #include "kernel/triangles.h"
 #include "sims/support/keys.h"
 
-namespace suture {
+namespace suture::sims {
 
 /// What becomes of vertices.
 enum class Spoil {
@@ -45,4 +45,4 @@ struct Spoiling {
 void spoil(std::vector<Point>& positions, const Spoiling& spoiling, double cell,
            const Point& origin);
 
-}  // namespace suture
+}  // namespace suture::sims

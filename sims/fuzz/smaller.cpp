@@ -12,7 +12,7 @@
 #include "kernel/shapes/transform.h"
 #include "sims/output/report_json.h"
 
-namespace suture {
+namespace suture::sims {
 
 namespace {
 
@@ -112,4 +112,4 @@ bool same_options(const TrackerOptions& a, const TrackerOptions& b) {
   return to_json(a) == to_json(b);
 }
 
-}  // namespace suture
+}  // namespace suture::sims

@@ -4,7 +4,7 @@
 #include "kernel/triangles.h"
 #include "surgery/model/options.h"
 
-namespace suture {
+namespace suture::sims {
 
 /// The surface without the k-th of its components; the others keep their order.
 Triangles without_component(const Triangles& surface, std::uint32_t k);
@@ -25,4 +25,4 @@ double rounded_to_bits(double x, int bits);
 /// Whether two sets of options are written alike.
 bool same_options(const TrackerOptions& a, const TrackerOptions& b);
 
-}  // namespace suture
+}  // namespace suture::sims

@@ -9,7 +9,7 @@
 #include "kernel/errors.h"
 #include "kernel/files.h"
 
-namespace suture {
+namespace suture::sims {
 
 namespace {
 
@@ -179,4 +179,4 @@ std::string kind_of_cause(const std::string& cause) {
   return kind;
 }
 
-}  // namespace suture
+}  // namespace suture::sims

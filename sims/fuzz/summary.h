@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace suture {
+namespace suture::sims {
 
 /// One case on which an oracle objected; crashes and hangs are oracles too.
 struct FuzzFailure {
@@ -67,4 +67,4 @@ FuzzSummary read_summary(const std::filesystem::path& file);
 /// The text with every number in it replaced by #, so that like causes are counted together.
 std::string kind_of_cause(const std::string& cause);
 
-}  // namespace suture
+}  // namespace suture::sims

@@ -30,7 +30,7 @@
 #include "surgery/check/surgery_check.h"
 #include "surgery/tracker.h"
 
-namespace suture {
+namespace suture::sims {
 
 namespace {
 
@@ -249,4 +249,4 @@ Objection object_order(const Observation& o) {
   return {};
 }
 
-}  // namespace suture
+}  // namespace suture::sims

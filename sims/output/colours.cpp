@@ -6,7 +6,7 @@
 
 #include "kernel/measure/measures.h"
 
-namespace suture {
+namespace suture::sims {
 namespace {
 
 const Eigen::Vector3f kClay(0.80f, 0.83f, 0.86f), kAccent(0.93f, 0.42f, 0.16f);
@@ -44,4 +44,4 @@ TriangleColours component_colours(const Triangles& surface) {
   return colours;
 }
 
-}  // namespace suture
+}  // namespace suture::sims

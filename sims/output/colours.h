@@ -3,7 +3,7 @@
 
 #include "sims/output/picture.h"
 
-namespace suture {
+namespace suture::sims {
 
 /// Grey, blended towards a warm accent by the median freshness of a triangle's vertices: 1 as
 /// surgery made them, 0 as they always were. \pre one freshness for each vertex
@@ -12,4 +12,4 @@ TriangleColours patch_colours(const Triangles& surface, const std::vector<double
 /// A colour a connected component, from a palette that repeats.
 TriangleColours component_colours(const Triangles& surface);
 
-}  // namespace suture
+}  // namespace suture::sims

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace suture {
+namespace suture::sims {
 namespace {
 
 // Twice a sliver's area is below this share of its longest edge squared; its normal is mostly
@@ -73,4 +73,4 @@ std::vector<std::array<Point, 3>> corner_normals(const Triangles& surface, doubl
   return normals;
 }
 
-}  // namespace suture
+}  // namespace suture::sims

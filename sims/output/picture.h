@@ -7,7 +7,7 @@
 #include "kernel/lattice.h"
 #include "kernel/triangles.h"
 
-namespace suture {
+namespace suture::sims {
 
 /// What a triangle's colour says.
 enum class Colour {
@@ -36,4 +36,4 @@ struct PictureOptions {
 /// A colour a triangle, red, green and blue from 0 to 1; empty for the plain one.
 using TriangleColours = std::vector<Eigen::Vector3f>;
 
-}  // namespace suture
+}  // namespace suture::sims

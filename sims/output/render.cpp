@@ -42,7 +42,7 @@
 #include "kernel/files.h"
 #include "sims/output/corner_normals.h"
 
-namespace suture {
+namespace suture::sims {
 namespace {
 
 // Drawn this many times larger on each axis and shrunk again, which smooths edges.
@@ -355,4 +355,4 @@ void render_panels(const std::vector<Panel>& panels, const PanelOptions& layout,
   write_png(rows->GetOutput(), file);
 }
 
-}  // namespace suture
+}  // namespace suture::sims

@@ -6,7 +6,7 @@
 
 #include "sims/output/picture.h"
 
-namespace suture {
+namespace suture::sims {
 
 /// Draws `surface` off-screen in a light studio look, and writes a PNG file (whole or not at all).
 /// `colours` is empty or has one for each triangle. An empty surface gives an empty stage.
@@ -31,4 +31,4 @@ struct PanelOptions {
 void render_panels(const std::vector<Panel>& panels, const PanelOptions& layout,
                    const PictureOptions& options, const std::filesystem::path& file);
 
-}  // namespace suture
+}  // namespace suture::sims

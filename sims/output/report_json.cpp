@@ -7,7 +7,7 @@
 #include "sims/fluid/frame.h"
 #include "sims/scene/option_names.h"
 
-namespace suture {
+namespace suture::sims {
 namespace {
 
 using nlohmann::json;
@@ -188,4 +188,4 @@ json measured(const Triangles& surface) {
           {"longest_edge", lengths.longest}};
 }
 
-}  // namespace suture
+}  // namespace suture::sims

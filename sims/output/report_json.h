@@ -8,7 +8,7 @@
 #include "surgery/model/options.h"
 #include "surgery/model/report.h"
 
-namespace suture {
+namespace suture::sims {
 
 struct FluidFrame;
 struct ModuleCost;
@@ -25,4 +25,4 @@ nlohmann::json to_json(const std::vector<ModuleCost>& costs);
 /// Counts, volume, area, components, Euler characteristic, angles and edge lengths of a surface.
 nlohmann::json measured(const Triangles& surface);
 
-}  // namespace suture
+}  // namespace suture::sims

@@ -14,7 +14,7 @@
 #include "kernel/repair/repair.h"
 #include "kernel/shapes/transform.h"
 
-namespace suture {
+namespace suture::sims {
 namespace {
 
 namespace fs = std::filesystem;
@@ -205,4 +205,4 @@ Bodies read_bodies(TomlTable& scene, const fs::path& folder, const SceneSources&
   return bodies;
 }
 
-}  // namespace suture
+}  // namespace suture::sims

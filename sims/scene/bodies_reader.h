@@ -5,7 +5,7 @@
 #include "sims/scene/scene_sources.h"
 #include "sims/scene/toml_keys.h"
 
-namespace suture {
+namespace suture::sims {
 
 /// All bodies of a scene as one surface, what each is, the velocity of each vertex and notes for
 /// the user.
@@ -30,4 +30,4 @@ PlacedSurface read_placed(TomlTable& body, const std::filesystem::path& folder,
 Bodies read_bodies(TomlTable& scene, const std::filesystem::path& folder,
                    const SceneSources& sources);
 
-}  // namespace suture
+}  // namespace suture::sims

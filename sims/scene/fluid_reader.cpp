@@ -5,7 +5,7 @@
 
 #include "sims/scene/bodies_reader.h"
 
-namespace suture {
+namespace suture::sims {
 namespace {
 
 constexpr std::array<Named<VelocityAdvection>, 2> kAdvections = {
@@ -133,4 +133,4 @@ std::shared_ptr<const FluidOptions> read_fluid(TomlTable& scene, const TrackerOp
   return std::make_shared<const FluidOptions>(std::move(o));
 }
 
-}  // namespace suture
+}  // namespace suture::sims

@@ -8,7 +8,7 @@
 #include "sims/scene/toml_keys.h"
 #include "surgery/model/options.h"
 
-namespace suture {
+namespace suture::sims {
 
 /// Null if the scene has no table [fluid]; it may then have no solids either. An effect is an
 /// inner table, as [fluid.viscosity], and exists only if that is there. `notes` are for the user.
@@ -18,4 +18,4 @@ std::shared_ptr<const FluidOptions> read_fluid(TomlTable& scene, const TrackerOp
                                                const SceneSources& sources,
                                                std::vector<std::string>& notes);
 
-}  // namespace suture
+}  // namespace suture::sims

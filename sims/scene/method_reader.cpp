@@ -4,7 +4,7 @@
 
 #include "sims/baselines/method.h"
 
-namespace suture {
+namespace suture::sims {
 namespace {
 
 constexpr std::array<Named<MethodKind>, 6> kKinds = {
@@ -96,4 +96,4 @@ MethodOptions read_method(Keys keys, const TrackerOptions& tracker) {
   return method;
 }
 
-}  // namespace suture
+}  // namespace suture::sims

@@ -6,7 +6,7 @@
 #include "sims/support/keys.h"
 #include "surgery/model/options.h"
 
-namespace suture {
+namespace suture::sims {
 
 inline constexpr std::array<Named<Events>, 4> kEventsNames = {{{"merge", Events::merge},
                                                                {"split", Events::split},
@@ -27,4 +27,4 @@ inline constexpr std::array<Named<Subdivision>, 3> kSubdivisionNames = {
      {"curved", Subdivision::curved},
      {"fitted", Subdivision::fitted}}};
 
-}  // namespace suture
+}  // namespace suture::sims

@@ -6,7 +6,7 @@
 
 #include "kernel/triangles.h"
 
-namespace suture {
+namespace suture::sims {
 
 /// A shape of the catalogue, scaled, turned and moved, or a mesh of its own; in a scene's surface
 /// it has `vertices` and `triangles` of these, after those of the bodies before it.
@@ -19,4 +19,4 @@ struct PlacedShape {
   std::size_t vertices = 0, triangles = 0;
 };
 
-}  // namespace suture
+}  // namespace suture::sims

@@ -17,7 +17,7 @@
 #include "sims/scene/fluid_reader.h"
 #include "sims/scene/option_names.h"
 
-namespace suture {
+namespace suture::sims {
 namespace {
 
 constexpr double kMostSteps = 1e8;  // beyond it a time step is surely a slip
@@ -311,4 +311,4 @@ Scene parse_scene(const std::string& text, const std::filesystem::path& file,
   return scene;
 }
 
-}  // namespace suture
+}  // namespace suture::sims

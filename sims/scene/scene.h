@@ -8,14 +8,14 @@
 #include <string>
 #include <vector>
 
+#include "sims/baselines/method.h"
 #include "sims/flows/motion.h"
 #include "sims/output/picture.h"
 #include "sims/scene/placed_shape.h"
-#include "sims/baselines/method.h"
 #include "sims/scene/scene_sources.h"
 #include "surgery/model/options.h"
 
-namespace suture {
+namespace suture::sims {
 
 struct FluidOptions;
 
@@ -104,4 +104,4 @@ QualityOptions read_quality(Keys keys);
 Scene parse_scene(const std::string& text, const std::filesystem::path& file,
                   const SceneSources& sources = {}, const SceneChanges& changes = {});
 
-}  // namespace suture
+}  // namespace suture::sims

@@ -10,7 +10,7 @@
 #include "kernel/shapes/catalogue.h"
 #include "kernel/shapes/shapes.h"
 
-namespace suture {
+namespace suture::sims {
 
 /// By default the file system and the catalogue of shapes. A program that reads scenes it does not
 /// trust, or holds meshes in memory, gives its own; each may throw InvalidInput.
@@ -24,4 +24,4 @@ struct SceneSources {
   double most_triangles = kMostTriangles;  ///< of all bodies together
 };
 
-}  // namespace suture
+}  // namespace suture::sims

@@ -8,7 +8,7 @@
 
 #include "kernel/errors.h"
 
-namespace suture {
+namespace suture::sims {
 namespace {
 
 // Scenes have names of three parts, and tables in lists of tables. Without bounds one name of some
@@ -126,4 +126,4 @@ TomlTable parse_toml(const std::string& text, const std::filesystem::path& file)
   }
 }
 
-}  // namespace suture
+}  // namespace suture::sims

@@ -7,7 +7,7 @@
 
 #include "sims/support/keys.h"
 
-namespace suture {
+namespace suture::sims {
 
 /// A table's own values, and the tables inside it by name.
 struct TomlTable {
@@ -24,4 +24,4 @@ struct TomlTable {
 /// `file` is the name for messages. \throw InvalidInput if the text is not TOML, with the line
 TomlTable parse_toml(const std::string& text, const std::filesystem::path& file);
 
-}  // namespace suture
+}  // namespace suture::sims

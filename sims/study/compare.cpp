@@ -9,7 +9,7 @@
 #include "kernel/measure/symmetric_difference.h"
 #include "sims/study/row.h"
 
-namespace suture {
+namespace suture::sims {
 namespace {
 
 constexpr double kUnknown = kUnknownFigure;
@@ -91,4 +91,4 @@ Record compare_markers(const Triangles& surface, const Triangles& start, const C
   return {{"marker_mean", cell_of(sum)}, {"marker_max", cell_of(most)}};
 }
 
-}  // namespace suture
+}  // namespace suture::sims

@@ -4,7 +4,7 @@
 #include "sims/study/record.h"
 #include "sims/study/truth.h"
 
-namespace suture {
+namespace suture::sims {
 
 struct CompareOptions {
   std::size_t samples = 100000;  ///< on each surface, for distances
@@ -21,4 +21,4 @@ Record compare(const Triangles& surface, const Truth& truth, const CompareOption
 /// still has the start's triangles, so that its vertices are markers.
 Record compare_markers(const Triangles& surface, const Triangles& start, const Carry& carry);
 
-}  // namespace suture
+}  // namespace suture::sims

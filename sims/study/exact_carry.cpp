@@ -9,7 +9,7 @@
 #include "kernel/errors.h"
 #include "sims/study/exact_flow.h"
 
-namespace suture {
+namespace suture::sims {
 namespace {
 
 namespace odeint = boost::numeric::odeint;
@@ -60,4 +60,4 @@ Carry exact_carry(const Scene& scene, double time, double error) {
   };
 }
 
-}  // namespace suture
+}  // namespace suture::sims

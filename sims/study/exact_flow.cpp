@@ -11,7 +11,7 @@
 #include "kernel/errors.h"
 #include "kernel/measure/nearest_triangle.h"
 
-namespace suture {
+namespace suture::sims {
 namespace {
 
 constexpr std::size_t kChecked = 5000;  // triangles whose middles tell the reference's own error
@@ -222,4 +222,4 @@ ExactSurface exact_flow(const ExactShape& shape, const Carry& carry,
   return Refinement(shape, carry, options).all();
 }
 
-}  // namespace suture
+}  // namespace suture::sims

@@ -6,7 +6,7 @@
 
 #include "sims/study/exact_shape.h"
 
-namespace suture {
+namespace suture::sims {
 
 /// Where a point of time 0 is at the time asked for.
 using Carry = std::function<Point(const Point&)>;
@@ -39,4 +39,4 @@ struct ExactSurface {
 ExactSurface exact_flow(const ExactShape& shape, const Carry& carry,
                         const ExactFlowOptions& options);
 
-}  // namespace suture
+}  // namespace suture::sims

@@ -8,7 +8,7 @@
 #include "kernel/measure/measures.h"
 #include "kernel/shapes/shapes.h"
 
-namespace suture {
+namespace suture::sims {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
@@ -163,4 +163,4 @@ bool is_crease(const ExactFace& f, const ExactFace& g) {
   return &f != &g && f.kind != ExactFace::Kind::flat && g.kind != ExactFace::Kind::flat;
 }
 
-}  // namespace suture
+}  // namespace suture::sims

@@ -6,7 +6,7 @@
 
 #include "sims/scene/scene.h"
 
-namespace suture {
+namespace suture::sims {
 
 /// A part of a shape: of a sphere, of a plane, or flat as the mesh has it.
 struct ExactFace {
@@ -41,4 +41,4 @@ Point onto(const Point& p, const ExactFace& face);
 /// Whether the edge between two faces is a crease of the shape.
 bool is_crease(const ExactFace& f, const ExactFace& g);
 
-}  // namespace suture
+}  // namespace suture::sims

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <tuple>
 
-namespace suture {
+namespace suture::sims {
 
 std::vector<std::size_t> pareto_front(const std::vector<Row>& rows, const Criterion& error,
                                       const Criterion& cost) {
@@ -25,4 +25,4 @@ std::vector<std::size_t> pareto_front(const std::vector<Row>& rows, const Criter
   return front;
 }
 
-}  // namespace suture
+}  // namespace suture::sims

@@ -3,7 +3,7 @@
 
 #include "sims/study/row.h"
 
-namespace suture {
+namespace suture::sims {
 
 /// A number to be small, with what it is called and measured in.
 struct Criterion {
@@ -31,4 +31,4 @@ inline constexpr std::array<Criterion, 2> kCosts = {
 std::vector<std::size_t> pareto_front(const std::vector<Row>& rows, const Criterion& error,
                                       const Criterion& cost);
 
-}  // namespace suture
+}  // namespace suture::sims

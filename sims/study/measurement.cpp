@@ -7,14 +7,14 @@
 
 #include "kernel/audit.h"
 #include "kernel/errors.h"
-#include "kernel/measure/measures.h"
 #include "kernel/formats/mesh_io.h"
+#include "kernel/measure/measures.h"
 #include "sims/study/method_run.h"
-#include "sims/study/surface_measures.h"
 #include "sims/study/settings.h"
+#include "sims/study/surface_measures.h"
 #include "sims/study/table.h"
 
-namespace suture {
+namespace suture::sims {
 namespace {
 
 using nlohmann::json;
@@ -247,4 +247,4 @@ std::vector<Record> measure(const MeasurementOptions& options, const std::string
   return rows;
 }
 
-}  // namespace suture
+}  // namespace suture::sims

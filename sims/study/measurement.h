@@ -1,11 +1,11 @@
 // A scene run by a method and measured: what `suture measure` does.
 #pragma once
 
+#include "sims/driver/run.h"
 #include "sims/study/compare.h"
 #include "sims/support/processes.h"
-#include "sims/driver/run.h"
 
-namespace suture {
+namespace suture::sims {
 
 struct MeasurementOptions {
   std::filesystem::path scene;
@@ -26,4 +26,4 @@ struct MeasurementOptions {
 std::vector<Record> measure(const MeasurementOptions& options, const std::string& command,
                             RunWatcher* watcher = nullptr);
 
-}  // namespace suture
+}  // namespace suture::sims

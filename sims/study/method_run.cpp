@@ -8,10 +8,10 @@
 #include "kernel/errors.h"
 #include "kernel/measure/measures.h"
 #include "sims/driver/method_stepper.h"
-#include "sims/support/processes.h"
 #include "sims/study/row.h"
+#include "sims/support/processes.h"
 
-namespace suture {
+namespace suture::sims {
 namespace {
 
 /// Whether the surface is a mesh at all times, and asking for it costs nothing.
@@ -181,4 +181,4 @@ MethodRun run_method(Scene& scene, std::vector<double> times, RunWatcher* watche
   return Measured(scene, std::move(times), watcher).all();
 }
 
-}  // namespace suture
+}  // namespace suture::sims

@@ -1,11 +1,11 @@
 // One method on one scene, from start to end, with what it costs and its surface at given times.
 #pragma once
 
-#include "sims/tracking/surface_tracker.h"
 #include "sims/driver/run.h"
 #include "sims/scene/scene.h"
+#include "sims/tracking/surface_tracker.h"
 
-namespace suture {
+namespace suture::sims {
 
 /// The surface and all costs until a time; measuring itself is not among them.
 struct Snapshot {
@@ -31,4 +31,4 @@ struct MethodRun {
 /// that depend on the surface need a mesh. What the method or the scene throws is an outcome.
 MethodRun run_method(Scene& scene, std::vector<double> times, RunWatcher* watcher = nullptr);
 
-}  // namespace suture
+}  // namespace suture::sims

@@ -7,16 +7,16 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "kernel/measure/distance.h"
 #include "kernel/errors.h"
-#include "kernel/measure/measures.h"
 #include "kernel/formats/mesh_io.h"
-#include "sims/study/surface_measures.h"
-#include "sims/support/processes.h"
+#include "kernel/measure/distance.h"
+#include "kernel/measure/measures.h"
 #include "sims/driver/stepper.h"
+#include "sims/study/surface_measures.h"
 #include "sims/study/table.h"
+#include "sims/support/processes.h"
 
-namespace suture {
+namespace suture::sims {
 namespace {
 
 using nlohmann::json;
@@ -165,4 +165,4 @@ Row unpacked(const std::string& bytes) {
   return row;
 }
 
-}  // namespace suture
+}  // namespace suture::sims

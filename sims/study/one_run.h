@@ -5,7 +5,7 @@
 
 #include "sims/study/row.h"
 
-namespace suture {
+namespace suture::sims {
 
 struct OneRun {
   std::filesystem::path scene;
@@ -26,4 +26,4 @@ Row run_once(const OneRun& run);
 std::string packed(const Row& row);
 Row unpacked(const std::string& bytes);
 
-}  // namespace suture
+}  // namespace suture::sims

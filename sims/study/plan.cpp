@@ -11,7 +11,7 @@
 #include "kernel/errors.h"
 #include "sims/scene/option_names.h"
 
-namespace suture {
+namespace suture::sims {
 namespace {
 
 /// The whole of `text` as a number, if it is one.
@@ -220,4 +220,4 @@ std::vector<PlannedRun> plan(const Settings& own, const std::vector<Design>& des
   return plan.take();
 }
 
-}  // namespace suture
+}  // namespace suture::sims

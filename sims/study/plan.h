@@ -3,7 +3,7 @@
 
 #include "sims/study/settings.h"
 
-namespace suture {
+namespace suture::sims {
 
 /// One level of a factor: a value, or a multiple of what the scene has.
 struct Level {
@@ -56,4 +56,4 @@ double rounded_for_people(double x);
 std::vector<PlannedRun> plan(const Settings& own, const std::vector<Design>& designs);
 inline constexpr std::size_t kMostRuns = 10000;  // beyond it a product of levels is surely a slip
 
-}  // namespace suture
+}  // namespace suture::sims

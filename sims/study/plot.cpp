@@ -10,10 +10,10 @@
 
 #include "kernel/errors.h"
 #include "kernel/files.h"
-#include "sims/support/processes.h"
 #include "sims/study/front.h"
+#include "sims/support/processes.h"
 
-namespace suture {
+namespace suture::sims {
 namespace {
 
 namespace fs = std::filesystem;
@@ -298,4 +298,4 @@ std::string draw(const std::vector<Row>& rows, const PlotOptions& options, const
   return "";
 }
 
-}  // namespace suture
+}  // namespace suture::sims

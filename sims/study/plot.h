@@ -5,7 +5,7 @@
 
 #include "sims/study/row.h"
 
-namespace suture {
+namespace suture::sims {
 
 /// What the plots need besides the rows.
 struct PlotOptions {
@@ -24,4 +24,4 @@ std::string plot_script(const std::vector<Row>& rows, const PlotOptions& options
 std::string draw(const std::vector<Row>& rows, const PlotOptions& options,
                  const std::filesystem::path& folder);
 
-}  // namespace suture
+}  // namespace suture::sims

@@ -9,7 +9,7 @@
 
 #include "sims/study/front.h"
 
-namespace suture {
+namespace suture::sims {
 namespace {
 
 double seconds(const Row& row) { return row.figures.tracker_seconds; }
@@ -201,4 +201,4 @@ std::string recommendation(const std::vector<Row>& rows, const RecommendOptions&
   return Page(rows, options).write();
 }
 
-}  // namespace suture
+}  // namespace suture::sims

@@ -3,7 +3,7 @@
 
 #include "sims/study/row.h"
 
-namespace suture {
+namespace suture::sims {
 
 struct RecommendOptions {
   std::string title, reference;
@@ -21,4 +21,4 @@ const Row* as_good_for_less(const std::vector<Row>& rows, const Row& than);
 /// A page in Markdown. Seconds are CPU seconds in the tracker.
 std::string recommendation(const std::vector<Row>& rows, const RecommendOptions& options);
 
-}  // namespace suture
+}  // namespace suture::sims

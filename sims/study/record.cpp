@@ -13,7 +13,7 @@
 #include "kernel/files.h"
 #include "sims/support/csv.h"
 
-namespace suture {
+namespace suture::sims {
 namespace {
 
 /// A folder held by this process alone, among those that ask; no file is left by it.
@@ -96,4 +96,4 @@ void append_records(const std::filesystem::path& file, const std::vector<Record>
   write_file(file, csv_of(all));
 }
 
-}  // namespace suture
+}  // namespace suture::sims

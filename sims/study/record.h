@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-namespace suture {
+namespace suture::sims {
 
 /// Column and text. An empty text: not known, or of no meaning for this method.
 using Record = std::vector<std::pair<std::string, std::string>>;
@@ -28,4 +28,4 @@ std::vector<Record> read_records(const std::filesystem::path& file);
 void append_records(const std::filesystem::path& file, const std::vector<Record>& rows,
                     const std::string& key);
 
-}  // namespace suture
+}  // namespace suture::sims

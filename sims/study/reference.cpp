@@ -15,7 +15,7 @@
 #include "sims/study/one_run.h"
 #include "sims/study/table.h"
 
-namespace suture {
+namespace suture::sims {
 namespace {
 
 namespace fs = std::filesystem;
@@ -188,4 +188,4 @@ Reference make_reference(const fs::path& scene, const fs::path& folder,
   return *made;
 }
 
-}  // namespace suture
+}  // namespace suture::sims

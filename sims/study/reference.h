@@ -2,10 +2,10 @@
 // a finer run, or a mesh file.
 #pragma once
 
-#include "sims/support/processes.h"
 #include "sims/study/plan.h"
+#include "sims/support/processes.h"
 
-namespace suture {
+namespace suture::sims {
 
 struct ReferenceOptions {
   /// "start"; "flow", the first surface finely subdivided and carried by the motion alone, exact
@@ -42,4 +42,4 @@ SceneChanges finest_changes(const Settings& own, const std::vector<PlannedRun>& 
 Reference make_reference(const std::filesystem::path& scene, const std::filesystem::path& folder,
                          const std::vector<PlannedRun>& runs, const ReferenceOptions& options);
 
-}  // namespace suture
+}  // namespace suture::sims

@@ -8,7 +8,7 @@
 
 #include "sims/study/settings.h"
 
-namespace suture {
+namespace suture::sims {
 
 inline constexpr double kUnknownFigure = std::numeric_limits<double>::quiet_NaN();
 
@@ -94,4 +94,4 @@ struct Row {
   bool sound() const { return !failed() && figures.topology_right == 1; }
 };
 
-}  // namespace suture
+}  // namespace suture::sims

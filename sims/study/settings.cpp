@@ -9,7 +9,7 @@
 #include "kernel/errors.h"
 #include "sims/output/report_json.h"
 
-namespace suture {
+namespace suture::sims {
 namespace {
 
 using nlohmann::json;
@@ -84,4 +84,4 @@ std::string words_of(const Settings& settings, const SceneChanges& changes) {
   return words;
 }
 
-}  // namespace suture
+}  // namespace suture::sims

@@ -6,7 +6,7 @@
 
 #include "sims/scene/scene.h"
 
-namespace suture {
+namespace suture::sims {
 
 /// One key of [tracker], [quality] or [time]. Keys have different names in all three.
 struct Setting {
@@ -33,4 +33,4 @@ std::string text_of(const Value& value);
 /// The changes as words, "cell_size=0.05 arithmetic=rational", in the order of the settings.
 std::string words_of(const Settings& settings, const SceneChanges& changes);
 
-}  // namespace suture
+}  // namespace suture::sims

@@ -4,7 +4,7 @@
 #include "kernel/measure/measures.h"
 #include "kernel/measure/self_intersections.h"
 
-namespace suture {
+namespace suture::sims {
 
 SurfaceMeasures measure_surface(const Triangles& surface) {
   constexpr std::size_t most_pairs = 1000000;
@@ -16,4 +16,4 @@ SurfaceMeasures measure_surface(const Triangles& surface) {
           .least_angle = angles(surface).smallest};
 }
 
-}  // namespace suture
+}  // namespace suture::sims

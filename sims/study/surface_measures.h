@@ -3,7 +3,7 @@
 
 #include "kernel/triangles.h"
 
-namespace suture {
+namespace suture::sims {
 
 /// Counts, as doubles for tables.
 struct SurfaceMeasures {
@@ -16,4 +16,4 @@ struct SurfaceMeasures {
 /// \pre indices in range, finite positions
 SurfaceMeasures measure_surface(const Triangles& surface);
 
-}  // namespace suture
+}  // namespace suture::sims

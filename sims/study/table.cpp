@@ -10,7 +10,7 @@
 #include "kernel/files.h"
 #include "sims/support/csv.h"
 
-namespace suture {
+namespace suture::sims {
 namespace {
 
 Cells heading(const Row& row) {
@@ -104,4 +104,4 @@ std::string fingerprint(const Triangles& surface) {
   return fingerprint(fingerprint(bytes(surface.positions)) + fingerprint(bytes(surface.triangles)));
 }
 
-}  // namespace suture
+}  // namespace suture::sims

@@ -5,7 +5,7 @@
 
 #include "sims/study/row.h"
 
-namespace suture {
+namespace suture::sims {
 
 /// CSV (RFC 4180) with a heading; columns are the same for all rows of a study.
 std::string to_csv(const std::vector<Row>& rows);
@@ -17,4 +17,4 @@ std::vector<Row> read_csv(const std::filesystem::path& file);
 std::string fingerprint(std::string_view bytes);
 std::string fingerprint(const Triangles& surface);
 
-}  // namespace suture
+}  // namespace suture::sims

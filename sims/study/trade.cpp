@@ -14,7 +14,7 @@
 #include "sims/study/recommend.h"
 #include "sims/study/table.h"
 
-namespace suture {
+namespace suture::sims {
 namespace {
 
 namespace fs = std::filesystem;
@@ -236,4 +236,4 @@ TradeSummary trade(const TradeOptions& options, TradeWatcher* watcher) {
   return Study(options, watcher).all();
 }
 
-}  // namespace suture
+}  // namespace suture::sims

@@ -4,7 +4,7 @@
 #include "sims/study/reference.h"
 #include "sims/study/row.h"
 
-namespace suture {
+namespace suture::sims {
 
 /// What a study is to do.
 struct TradeOptions {
@@ -45,4 +45,4 @@ struct TradeSummary {
 /// factors and a bad scene, before anything is run; and for a folder with a study of another scene
 TradeSummary trade(const TradeOptions& options, TradeWatcher* watcher = nullptr);
 
-}  // namespace suture
+}  // namespace suture::sims

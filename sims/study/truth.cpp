@@ -12,7 +12,7 @@
 #include "sims/study/settings.h"
 #include "sims/study/table.h"
 
-namespace suture {
+namespace suture::sims {
 namespace {
 
 using nlohmann::json;
@@ -110,4 +110,4 @@ Truth truth_at(const Scene& scene, double time, const TruthOptions& options) {
   return truth;
 }
 
-}  // namespace suture
+}  // namespace suture::sims

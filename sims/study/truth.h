@@ -6,7 +6,7 @@
 
 #include "sims/study/exact_flow.h"
 
-namespace suture {
+namespace suture::sims {
 
 struct TruthOptions {
   std::string kind = "exact";    ///< or "polyhedron": the start mesh itself, carried exactly
@@ -24,4 +24,4 @@ struct Truth {
 /// share a folder. \throw InvalidInput as exact_carry and exact_flow, or if it cannot be written
 Truth truth_at(const Scene& scene, double time, const TruthOptions& options);
 
-}  // namespace suture
+}  // namespace suture::sims

@@ -1,7 +1,7 @@
 // CSV (RFC 4180): cells to lines and back.
 #include "sims/support/csv.h"
 
-namespace suture {
+namespace suture::sims {
 namespace {
 
 std::string quoted(const std::string& text) {
@@ -42,4 +42,4 @@ std::vector<Cells> csv_lines(const std::string& text) {
   return lines;
 }
 
-}  // namespace suture
+}  // namespace suture::sims

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-namespace suture {
+namespace suture::sims {
 
 using Cells = std::vector<std::string>;
 
@@ -14,4 +14,4 @@ std::string csv_line(const Cells& cells);
 /// The cells of each line; a cell in quotes may hold commas, line ends and doubled quotes.
 std::vector<Cells> csv_lines(const std::string& text);
 
-}  // namespace suture
+}  // namespace suture::sims

@@ -9,7 +9,7 @@
 
 #include "kernel/errors.h"
 
-namespace suture {
+namespace suture::sims {
 namespace {
 
 std::size_t edit_distance(const std::string& a, const std::string& b) {
@@ -175,4 +175,4 @@ void Keys::done() const {
   }
 }
 
-}  // namespace suture
+}  // namespace suture::sims

@@ -12,7 +12,7 @@
 
 #include "kernel/triangles.h"
 
-namespace suture {
+namespace suture::sims {
 
 /// What a key may hold; numbers in lists are doubles.
 using Value = std::variant<bool, std::int64_t, double, std::string, std::vector<double>>;
@@ -111,4 +111,4 @@ class Keys {
   std::set<std::string> asked_;
 };
 
-}  // namespace suture
+}  // namespace suture::sims

@@ -19,7 +19,7 @@
 
 #include "kernel/errors.h"
 
-namespace suture {
+namespace suture::sims {
 namespace {
 
 using Clock = std::chrono::steady_clock;
@@ -211,4 +211,4 @@ double peak_megabytes() {
 
 void forget_peak() { std::ofstream("/proc/self/clear_refs") << "5\n"; }
 
-}  // namespace suture
+}  // namespace suture::sims

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace suture {
+namespace suture::sims {
 
 struct ProcessOptions {
   int jobs = 1;  ///< processes at a time, >= 1
@@ -44,4 +44,4 @@ double peak_megabytes();
 /// Lets peak_megabytes start from what is held now, where the system can.
 void forget_peak();
 
-}  // namespace suture
+}  // namespace suture::sims

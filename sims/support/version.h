@@ -1,8 +1,8 @@
 // The program's version, as the build names it.
 #pragma once
 
-namespace suture {
+namespace suture::sims {
 
 inline constexpr const char* kVersion = SUTURE_VERSION;
 
-}  // namespace suture
+}  // namespace suture::sims

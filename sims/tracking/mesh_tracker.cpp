@@ -8,7 +8,7 @@
 #include "kernel/measure/signed_distance.h"
 #include "sims/support/processes.h"
 
-namespace suture {
+namespace suture::sims {
 namespace {
 
 class MeshTracker : public SurfaceTracker {
@@ -123,4 +123,4 @@ std::unique_ptr<SurfaceTracker> make_mesh_tracker(Triangles surface, const Track
   return std::make_unique<MeshTracker>(std::move(surface), options, schedule);
 }
 
-}  // namespace suture
+}  // namespace suture::sims

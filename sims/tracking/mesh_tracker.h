@@ -6,7 +6,7 @@
 
 #include "sims/tracking/surface_tracker.h"
 
-namespace suture {
+namespace suture::sims {
 
 inline constexpr int kWhenItSettles = std::numeric_limits<int>::max();  ///< and at no step
 
@@ -20,4 +20,4 @@ struct MeshSchedule {
 std::unique_ptr<SurfaceTracker> make_mesh_tracker(Triangles surface, const TrackerOptions& options,
                                                   const MeshSchedule& schedule);
 
-}  // namespace suture
+}  // namespace suture::sims

@@ -7,7 +7,7 @@
 
 #include "surgery/tracker.h"
 
-namespace suture {
+namespace suture::sims {
 
 /// What a tracker has spent so far: CPU seconds of this process by part of the work, and counts.
 struct TrackerCost {
@@ -61,4 +61,4 @@ class SurfaceTracker {
   virtual TrackerCost cost() const = 0;
 };
 
-}  // namespace suture
+}  // namespace suture::sims

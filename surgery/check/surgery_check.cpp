@@ -2,10 +2,12 @@
 #include "surgery/check/surgery_check.h"
 
 #include "predicates/exact_signs.h"
-#include "surgery/model/tracker_lattice.h"
 #include "surgery/detect/winding.h"
+#include "surgery/model/tracker_lattice.h"
 
 namespace suture {
+
+using namespace surgery;
 
 namespace {
 

@@ -1,7 +1,7 @@
 // Sharp edges from the angle between normals; slivers do not count [§6.2].
 #include "surgery/collapse/features.h"
 
-namespace suture {
+namespace suture::surgery {
 
 namespace {
 
@@ -72,4 +72,4 @@ bool leaves_feature(const Mesh& mesh, Mesh::Halfedge_index h, const CollapseRule
   return kind == VertexKind::corner || !is_feature(mesh, mesh.edge(h), rules);
 }
 
-}  // namespace suture
+}  // namespace suture::surgery

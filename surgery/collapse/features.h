@@ -3,7 +3,7 @@
 
 #include "surgery/collapse/local_change.h"
 
-namespace suture {
+namespace suture::surgery {
 
 /// What a vertex is on: nothing; a crease that passes through it nearly straight; or a corner, a
 /// crease's end or a sharp turn of it, any of which must stay.
@@ -23,4 +23,4 @@ VertexKind vertex_kind(const Mesh& mesh, Mesh::Vertex_index v, const CollapseRul
 /// Whether moving the source of `h` to its target takes it off a corner or a crease.
 bool leaves_feature(const Mesh& mesh, Mesh::Halfedge_index h, const CollapseRules& rules);
 
-}  // namespace suture
+}  // namespace suture::surgery

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace suture {
+namespace suture::surgery {
 
 namespace {
 
@@ -262,4 +262,4 @@ bool holds_node(const Point& a, const Point& b, const Point& c, const Point& d,
   return false;
 }
 
-}  // namespace suture
+}  // namespace suture::surgery

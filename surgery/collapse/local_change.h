@@ -7,7 +7,7 @@
 #include "surgery/collapse/rules.h"
 #include "surgery/model/report.h"
 
-namespace suture {
+namespace suture::surgery {
 
 using Corners = std::array<Point, 3>;
 
@@ -51,4 +51,4 @@ LocalChange collapse_change(const Mesh& mesh, Mesh::Halfedge_index h, const Poin
 /// vanishes.
 bool keeps_manifold(const Mesh& mesh, Mesh::Halfedge_index h);
 
-}  // namespace suture
+}  // namespace suture::surgery

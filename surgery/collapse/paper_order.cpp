@@ -6,10 +6,10 @@
 #include <algorithm>
 
 #include "kernel/errors.h"
-#include "surgery/collapse/queue.h"
 #include "surgery/collapse/local_change.h"
+#include "surgery/collapse/queue.h"
 
-namespace suture {
+namespace suture::surgery {
 
 namespace {
 
@@ -151,4 +151,4 @@ OpenedMesh open_in_paper_order(Mesh& mesh, const CutMesh& cut, const Sites& site
   return result;
 }
 
-}  // namespace suture
+}  // namespace suture::surgery

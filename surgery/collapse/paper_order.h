@@ -5,11 +5,11 @@
 #include <vector>
 
 #include "surgery/collapse/rules.h"
-#include "surgery/operate/cut.h"
 #include "surgery/model/report.h"
+#include "surgery/operate/cut.h"
 #include "surgery/operate/stitch.h"
 
-namespace suture {
+namespace suture::surgery {
 
 /// The arcs of one face of a region cell, end to end: from type 1 vertex to type 1 vertex over the
 /// type 2 vertices between them.
@@ -42,4 +42,4 @@ struct OpenedMesh {
 OpenedMesh open_in_paper_order(Mesh& mesh, const CutMesh& cut, const Sites& sites, Sewing& sewing,
                                const CollapseRules& rules);
 
-}  // namespace suture
+}  // namespace suture::surgery

@@ -7,7 +7,7 @@
 
 #include "surgery/collapse/local_change.h"
 
-namespace suture {
+namespace suture::surgery {
 
 namespace {
 
@@ -143,4 +143,4 @@ CollapseCounts collapse_type2(Mesh& mesh, const std::vector<Mesh::Vertex_index>&
   return counts;
 }
 
-}  // namespace suture
+}  // namespace suture::surgery

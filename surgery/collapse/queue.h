@@ -7,7 +7,7 @@
 #include "surgery/collapse/rules.h"
 #include "surgery/model/report.h"
 
-namespace suture {
+namespace suture::surgery {
 
 /// A collapse of the first vertex onto the second, which stays.
 using VertexPair = std::pair<Mesh::Vertex_index, Mesh::Vertex_index>;
@@ -31,4 +31,4 @@ class CollapseOrder {
 CollapseCounts collapse_type2(Mesh& mesh, const std::vector<Mesh::Vertex_index>& type2,
                               const std::vector<Mesh::Vertex_index>& type1, CollapseOrder& order);
 
-}  // namespace suture
+}  // namespace suture::surgery

@@ -6,7 +6,7 @@
 #include "surgery/collapse/features.h"
 #include "surgery/collapse/local_change.h"
 
-namespace suture {
+namespace suture::surgery {
 
 Refusal may_collapse_to(const Mesh& mesh, Mesh::Halfedge_index h, const Point& to,
                         const CollapseRules& rules) {
@@ -49,4 +49,4 @@ bool sweeps_node(const Mesh& mesh, Mesh::Vertex_index v, const Point& to, const 
   return false;
 }
 
-}  // namespace suture
+}  // namespace suture::surgery

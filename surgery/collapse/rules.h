@@ -5,7 +5,7 @@
 #include "kernel/mesh.h"
 #include "predicates/oracle.h"
 
-namespace suture {
+namespace suture::surgery {
 
 /// Why an operation was refused, or `none`. `premature`: it would join two type 1 vertices before
 /// the arc between them is due [§6.2].
@@ -46,4 +46,4 @@ bool sweeps_node(const Mesh& mesh, Mesh::Vertex_index v, const Point& to, const 
 bool holds_node(const Point& a, const Point& b, const Point& c, const Point& d,
                 const Lattice& lattice, const Oracle& oracle);
 
-}  // namespace suture
+}  // namespace suture::surgery

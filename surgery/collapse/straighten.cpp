@@ -3,7 +3,7 @@
 
 #include "surgery/collapse/queue.h"
 
-namespace suture {
+namespace suture::surgery {
 
 namespace {
 
@@ -29,4 +29,4 @@ CollapseCounts straighten(Mesh& mesh, const std::vector<Mesh::Vertex_index>& typ
   return collapse_type2(mesh, type2, type1, order);
 }
 
-}  // namespace suture
+}  // namespace suture::surgery

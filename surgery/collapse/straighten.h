@@ -6,7 +6,7 @@
 #include "surgery/collapse/rules.h"
 #include "surgery/model/report.h"
 
-namespace suture {
+namespace suture::surgery {
 
 /// Collapses each of `type2` onto a neighbour that is type 1 or, failing that, another type 2
 /// vertex, so that the region's boundary runs straight between type 1 vertices; shortest edge
@@ -16,4 +16,4 @@ namespace suture {
 CollapseCounts straighten(Mesh& mesh, const std::vector<Mesh::Vertex_index>& type2,
                           const std::vector<Mesh::Vertex_index>& type1, const CollapseRules& rules);
 
-}  // namespace suture
+}  // namespace suture::surgery

@@ -8,7 +8,7 @@
 
 #include "kernel/errors.h"
 
-namespace suture {
+namespace suture::surgery {
 
 double expected_crossings(const Triangles& surface, const Lattice& lattice) {
   Point per_unit;
@@ -41,4 +41,4 @@ void require_crossings_fit(const Triangles& surface, const Lattice& lattice) {
   throw InvalidInput(text);
 }
 
-}  // namespace suture
+}  // namespace suture::surgery

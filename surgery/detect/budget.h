@@ -4,7 +4,7 @@
 #include "kernel/lattice.h"
 #include "kernel/triangles.h"
 
-namespace suture {
+namespace suture::surgery {
 
 /// About how many crossings the surface has with the lattice: exact for mesh edges, by projected
 /// area (in cells) for lattice lines. Linear, allocates nothing.
@@ -14,4 +14,4 @@ double expected_crossings(const Triangles& surface, const Lattice& lattice);
 /// memory, with both numbers and what to do
 void require_crossings_fit(const Triangles& surface, const Lattice& lattice);
 
-}  // namespace suture
+}  // namespace suture::surgery

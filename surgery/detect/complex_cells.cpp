@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-namespace suture {
+namespace suture::surgery {
 
 namespace {
 
@@ -58,4 +58,4 @@ CellSet find_complex_cells(const Crossings& crossings, const Winding& winding) {
   return set;
 }
 
-}  // namespace suture
+}  // namespace suture::surgery

@@ -7,7 +7,7 @@
 #include "surgery/detect/crossings.h"
 #include "surgery/detect/winding.h"
 
-namespace suture {
+namespace suture::surgery {
 
 /// What is known of a cell that holds mesh.
 struct SurfaceCell {
@@ -27,4 +27,4 @@ struct CellSet {
 /// complex face touches a complex edge or holds a closed loop of mesh ∩ face. \throw nothing
 CellSet find_complex_cells(const Crossings& crossings, const Winding& winding);
 
-}  // namespace suture
+}  // namespace suture::surgery

@@ -7,7 +7,7 @@
 
 #include "kernel/errors.h"
 
-namespace suture {
+namespace suture::surgery {
 
 namespace {
 
@@ -130,4 +130,4 @@ Crossings find_crossings(const Incidence& mesh, const Lattice& lattice, const Or
   return out;
 }
 
-}  // namespace suture
+}  // namespace suture::surgery

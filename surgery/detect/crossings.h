@@ -9,7 +9,7 @@
 #include "predicates/oracle.h"
 #include "surgery/detect/lattice_path.h"
 
-namespace suture {
+namespace suture::surgery {
 
 /// Triangle × lattice line: a type 1 vertex where its lattice edge is on the region's boundary.
 struct LineCrossing {
@@ -75,4 +75,4 @@ void for_each_cell(const Incidence& mesh, const Crossings& crossings, std::uint3
     cells_round_edge(crossings.line_crossings[c].edge, crossings.line_crossings[c].axis, visit);
 }
 
-}  // namespace suture
+}  // namespace suture::surgery

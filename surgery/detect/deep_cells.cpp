@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-namespace suture {
+namespace suture::surgery {
 
 namespace {
 
@@ -61,4 +61,4 @@ std::vector<LatticeId> find_events(const CellSet& set, const Winding& winding,
   return seeds;
 }
 
-}  // namespace suture
+}  // namespace suture::surgery

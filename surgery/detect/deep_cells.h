@@ -7,7 +7,7 @@
 #include "surgery/model/options.h"
 #include "surgery/model/report.h"
 
-namespace suture {
+namespace suture::surgery {
 
 constexpr bool merges(Events e) { return e == Events::merge || e == Events::both; }
 constexpr bool splits(Events e) { return e == Events::split || e == Events::both; }
@@ -25,4 +25,4 @@ struct EventTest {
 std::vector<LatticeId> find_events(const CellSet& set, const Winding& winding,
                                    const EventTest& test, MarkedCells& marked);
 
-}  // namespace suture
+}  // namespace suture::surgery

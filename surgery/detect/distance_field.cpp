@@ -7,7 +7,7 @@
 
 #include "kernel/measure/nearest_triangle.h"
 
-namespace suture {
+namespace suture::surgery {
 
 struct DistanceField::State {
   const Triangles& surface;
@@ -63,4 +63,4 @@ double DistanceField::at(const Index3& node) const {
 
 std::size_t DistanceField::nodes_computed() const { return state_->known.size(); }
 
-}  // namespace suture
+}  // namespace suture::surgery

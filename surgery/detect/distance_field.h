@@ -9,7 +9,7 @@
 #include "kernel/triangles.h"
 #include "surgery/detect/winding.h"
 
-namespace suture {
+namespace suture::surgery {
 
 /// D at a node is the distance to the nearest triangle, negative where the winding is at least 1.
 /// Values are kept once computed; the search tree is built at the first question. The arguments
@@ -35,4 +35,4 @@ class DistanceField {
   std::unique_ptr<State> state_;
 };
 
-}  // namespace suture
+}  // namespace suture::surgery

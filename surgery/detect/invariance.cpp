@@ -3,7 +3,7 @@
 
 #include <array>
 
-namespace suture {
+namespace suture::surgery {
 
 namespace {
 
@@ -85,4 +85,4 @@ std::vector<Index3> changed_outside(const Triangles& difference, const Lattice& 
   return nodes;
 }
 
-}  // namespace suture
+}  // namespace suture::surgery

@@ -4,7 +4,7 @@
 #include "surgery/detect/region.h"
 #include "surgery/detect/winding.h"
 
-namespace suture {
+namespace suture::surgery {
 
 /// What surgery took out of the surface (reversed) and put in: a closed chain of triangles.
 /// \param kept for each triangle of `after`, the triangle of `before` that it is, or kNone
@@ -22,4 +22,4 @@ std::vector<Index3> changed_outside(const Triangles& difference, const Lattice& 
                                     const Oracle& oracle, const Region& region,
                                     const Winding& before);
 
-}  // namespace suture
+}  // namespace suture::surgery

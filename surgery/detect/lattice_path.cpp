@@ -6,7 +6,7 @@
 
 #include "kernel/errors.h"
 
-namespace suture {
+namespace suture::surgery {
 
 namespace {
 
@@ -126,4 +126,4 @@ void plane_path(const LatticeTriangle& t, int axis, const Index3& from, const In
   }
 }
 
-}  // namespace suture
+}  // namespace suture::surgery

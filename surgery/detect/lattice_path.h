@@ -7,7 +7,7 @@
 #include "kernel/lattice.h"
 #include "predicates/oracle.h"
 
-namespace suture {
+namespace suture::surgery {
 
 /// A mesh edge with the cells that hold its ends.
 struct LatticeSegment {
@@ -47,4 +47,4 @@ struct LineStep {
 void plane_path(const LatticeTriangle& triangle, int axis, const Index3& from, const Index3& to,
                 const Lattice& lattice, const Oracle& oracle, std::vector<LineStep>& path);
 
-}  // namespace suture
+}  // namespace suture::surgery

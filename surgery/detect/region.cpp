@@ -2,7 +2,7 @@
 // [§5.3].
 #include "surgery/detect/region.h"
 
-namespace suture {
+namespace suture::surgery {
 
 int Region::cells_round_edge(LatticeId edge, int axis) const {
   int count = 0;
@@ -24,4 +24,4 @@ Region grow_region(const std::vector<LatticeId>& seeds, const CellSet& set) {
   return region;
 }
 
-}  // namespace suture
+}  // namespace suture::surgery

@@ -5,7 +5,7 @@
 
 #include "surgery/detect/complex_cells.h"
 
-namespace suture {
+namespace suture::surgery {
 
 /// The cells whose mesh is cut out and replaced.
 struct Region {
@@ -22,4 +22,4 @@ struct Region {
 /// outside.
 Region grow_region(const std::vector<LatticeId>& seeds, const CellSet& set);
 
-}  // namespace suture
+}  // namespace suture::surgery

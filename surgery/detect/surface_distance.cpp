@@ -10,6 +10,8 @@
 
 namespace suture {
 
+using namespace surgery;
+
 struct SurfaceDistance::State {
   Triangles surface;
   Lattice lattice;

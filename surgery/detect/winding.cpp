@@ -5,7 +5,7 @@
 
 #include "kernel/errors.h"
 
-namespace suture {
+namespace suture::surgery {
 
 namespace {
 
@@ -87,4 +87,4 @@ bool marches_agree(const Winding& winding) {
   return true;
 }
 
-}  // namespace suture
+}  // namespace suture::surgery

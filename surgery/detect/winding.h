@@ -8,7 +8,7 @@
 #include "kernel/sparse_field.h"
 #include "surgery/detect/crossings.h"
 
-namespace suture {
+namespace suture::surgery {
 
 /// A lattice edge that the mesh crosses.
 struct CrossedEdge {
@@ -58,4 +58,4 @@ class Winding {
 /// Whether the marches along x, y and z agree at both ends of every crossed lattice edge.
 bool marches_agree(const Winding& winding);
 
-}  // namespace suture
+}  // namespace suture::surgery

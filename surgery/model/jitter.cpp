@@ -6,7 +6,7 @@
 
 #include "kernel/random.h"
 
-namespace suture {
+namespace suture::surgery {
 
 bool jitters(const TrackerOptions& options) {
   return options.arithmetic == Arithmetic::rounded && options.jitter > 0;
@@ -25,4 +25,4 @@ Surface jittered(Surface surface, const TrackerOptions& options) {
   return surface;
 }
 
-}  // namespace suture
+}  // namespace suture::surgery

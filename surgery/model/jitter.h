@@ -4,7 +4,7 @@
 #include "surgery/model/options.h"
 #include "surgery/model/surface.h"
 
-namespace suture {
+namespace suture::surgery {
 
 /// Whether remodels of these options work on a jittered copy.
 bool jitters(const TrackerOptions& options);
@@ -13,4 +13,4 @@ bool jitters(const TrackerOptions& options);
 /// number and coordinates: the same surface moves the same way, another one another way.
 Surface jittered(Surface surface, const TrackerOptions& options);
 
-}  // namespace suture
+}  // namespace suture::surgery

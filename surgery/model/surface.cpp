@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-namespace suture {
+namespace suture::surgery {
 
 Origins track_origins(Mesh& mesh) {
   Origins origins;
@@ -34,4 +34,4 @@ Adopted adopt(Mesh&& mesh, const Origins& origins) {
   return result;
 }
 
-}  // namespace suture
+}  // namespace suture::surgery

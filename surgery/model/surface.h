@@ -5,7 +5,7 @@
 
 #include "kernel/mesh.h"
 
-namespace suture {
+namespace suture::surgery {
 
 /// A mesh without garbage and its exchange copy, numbered alike.
 struct Surface {
@@ -32,4 +32,4 @@ struct Adopted {
 /// Collects the garbage of `mesh`, takes its origins off it, and makes the exchange copy.
 Adopted adopt(Mesh&& mesh, const Origins& origins);
 
-}  // namespace suture
+}  // namespace suture::surgery

@@ -1,7 +1,7 @@
 // The margin beyond the depth keeps every cell beside a surface cell inside the lattice.
 #include "surgery/model/tracker_lattice.h"
 
-namespace suture {
+namespace suture::surgery {
 
 Lattice tracker_lattice(const std::vector<Point>& positions, const TrackerOptions& options) {
   constexpr int kMargin = 3;  // whole cells
@@ -9,4 +9,4 @@ Lattice tracker_lattice(const std::vector<Point>& positions, const TrackerOption
                         options.depth + kMargin);
 }
 
-}  // namespace suture
+}  // namespace suture::surgery

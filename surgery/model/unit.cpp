@@ -6,7 +6,7 @@
 #include "kernel/errors.h"
 #include "surgery/model/tracker_lattice.h"
 
-namespace suture {
+namespace suture::surgery {
 
 namespace {
 
@@ -100,4 +100,4 @@ void multiply(QualityReport& report, int exponent) {
   report.longest_edge = std::ldexp(report.longest_edge, exponent);
 }
 
-}  // namespace suture
+}  // namespace suture::surgery

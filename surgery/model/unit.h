@@ -5,7 +5,7 @@
 #include "surgery/model/report.h"
 #include "surgery/model/surface.h"
 
-namespace suture {
+namespace suture::surgery {
 
 /// Cells from 2^kSmallestCell to 2^kLargestCell are computed with: below, positions inside a cell
 /// run out of digits; above, 2²¹ cells leave the range of doubles.
@@ -32,4 +32,4 @@ bool multiply(Surface& surface, int exponent);
 void multiply(SurgeryReport& report, int exponent);
 void multiply(QualityReport& report, int exponent);
 
-}  // namespace suture
+}  // namespace suture::surgery

@@ -8,7 +8,7 @@
 
 #include "surgery/detect/winding.h"
 
-namespace suture {
+namespace suture::surgery {
 
 namespace {
 
@@ -97,4 +97,4 @@ bool sides_agree(const Triangles& single, const Triangles& repeated, const Latti
   return true;
 }
 
-}  // namespace suture
+}  // namespace suture::surgery

@@ -7,7 +7,7 @@
 #include "kernel/measure/measures.h"
 #include "predicates/oracle.h"
 
-namespace suture {
+namespace suture::surgery {
 
 /// Triangles of every component that repeats an earlier one exactly (the same coordinates, the same
 /// orientation, whatever the numbering), in increasing order. Linear where no two components have
@@ -20,4 +20,4 @@ std::vector<std::uint32_t> repeated_triangles(const Triangles& surface,
 bool sides_agree(const Triangles& single, const Triangles& repeated, const Lattice& lattice,
                  const Oracle& oracle);
 
-}  // namespace suture
+}  // namespace suture::surgery

@@ -7,7 +7,7 @@
 
 #include "surgery/operate/kept_pieces.h"
 
-namespace suture {
+namespace suture::surgery {
 
 namespace {
 
@@ -133,4 +133,4 @@ CutMesh cut(const CutInput& input, const CutOptions& options, Sites& sites) {
   return Cutter(input, options, sites).run();
 }
 
-}  // namespace suture
+}  // namespace suture::surgery

@@ -7,7 +7,7 @@
 #include "surgery/operate/sites.h"
 #include "surgery/operate/triangle_pieces.h"
 
-namespace suture {
+namespace suture::surgery {
 
 /// A directed segment on face `face` of a region cell (2·axis, + 1 for the upper one), as the patch
 /// in the cell has it: seen from outside the cell, the material is on its right.
@@ -52,4 +52,4 @@ struct CutInput {
 /// \throw InternalFailure as triangle_pieces
 CutMesh cut(const CutInput& input, const CutOptions& options, Sites& sites);
 
-}  // namespace suture
+}  // namespace suture::surgery

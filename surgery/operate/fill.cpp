@@ -6,7 +6,7 @@
 #include "kernel/errors.h"
 #include "surgery/operate/triangulate.h"
 
-namespace suture {
+namespace suture::surgery {
 
 namespace {
 
@@ -81,4 +81,4 @@ Patch fill(const std::vector<Arc>& arcs, Sites& sites) {
   return patch;
 }
 
-}  // namespace suture
+}  // namespace suture::surgery

@@ -6,7 +6,7 @@
 #include "surgery/operate/cut.h"
 #include "surgery/operate/sites.h"
 
-namespace suture {
+namespace suture::surgery {
 
 /// Triangles in the region's cells, by site, whose boundary is that of the cut mesh reversed.
 struct Patch {
@@ -25,4 +25,4 @@ std::vector<Arc> gather_arcs(std::vector<Arc> boundary, const Region& region,
 /// one lattice face. \pre every site has its position \throw InternalFailure if arcs do not close
 Patch fill(const std::vector<Arc>& arcs, Sites& sites);
 
-}  // namespace suture
+}  // namespace suture::surgery

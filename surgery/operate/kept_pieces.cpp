@@ -8,7 +8,7 @@
 
 #include "kernel/errors.h"
 
-namespace suture {
+namespace suture::surgery {
 
 namespace {
 
@@ -228,4 +228,4 @@ std::vector<Triangle> KeptPieces::cell_by_cell() {
   return all;
 }
 
-}  // namespace suture
+}  // namespace suture::surgery

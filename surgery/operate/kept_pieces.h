@@ -9,7 +9,7 @@
 #include "surgery/operate/cut.h"
 #include "surgery/operate/triangulate.h"
 
-namespace suture {
+namespace suture::surgery {
 
 /// On which side of the region's boundary pieces lie.
 enum class Part { outside, inside };
@@ -65,4 +65,4 @@ class KeptPieces {
   std::vector<std::uint32_t> global_;  // local site → site, kNone while not asked for
 };
 
-}  // namespace suture
+}  // namespace suture::surgery

@@ -4,7 +4,7 @@
 #include "kernel/errors.h"
 #include "surgery/operate/fill.h"
 
-namespace suture {
+namespace suture::surgery {
 
 namespace {
 
@@ -55,4 +55,4 @@ std::vector<Arc> gather_arcs(std::vector<Arc> boundary, const Region& region,
   return arcs;
 }
 
-}  // namespace suture
+}  // namespace suture::surgery

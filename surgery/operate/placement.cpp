@@ -5,7 +5,7 @@
 
 #include "predicates/construct.h"
 
-namespace suture {
+namespace suture::surgery {
 
 namespace {
 
@@ -52,4 +52,4 @@ void place_isosurface(Placement placement, const Crossings& crossings, const Win
   }
 }
 
-}  // namespace suture
+}  // namespace suture::surgery

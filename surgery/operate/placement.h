@@ -5,7 +5,7 @@
 #include "surgery/model/options.h"
 #include "surgery/operate/sites.h"
 
-namespace suture {
+namespace suture::surgery {
 
 /// Gives every isosurface vertex its position: the zero of D, linear between the edge's two nodes;
 /// or the mesh's own crossing from outside to inside (the middle one where there are several).
@@ -14,4 +14,4 @@ namespace suture {
 void place_isosurface(Placement placement, const Crossings& crossings, const Winding& winding,
                       const Lattice& lattice, const DistanceField& distance, Sites& sites);
 
-}  // namespace suture
+}  // namespace suture::surgery

@@ -4,7 +4,7 @@
 #include "kernel/errors.h"
 #include "predicates/construct.h"
 
-namespace suture {
+namespace suture::surgery {
 
 Sites::Sites(const Incidence& mesh, const Lattice& lattice, const Crossings& crossings,
              const Winding& winding, const Region& region, Arithmetic arithmetic)
@@ -90,4 +90,4 @@ std::uint32_t Sites::centroid(const Point& position) {
   return add({SiteKind::centroid, 0, 0, 0, position});
 }
 
-}  // namespace suture
+}  // namespace suture::surgery

@@ -10,7 +10,7 @@
 #include "surgery/detect/region.h"
 #include "surgery/detect/winding.h"
 
-namespace suture {
+namespace suture::surgery {
 
 enum class SiteKind : std::uint8_t {
   corner,      ///< a vertex of the old mesh that stays
@@ -74,4 +74,4 @@ class Sites {
   std::map<std::array<std::uint64_t, 3>, std::uint32_t> kept_;  // elsewhere: (triangle, axis, edge)
 };
 
-}  // namespace suture
+}  // namespace suture::surgery

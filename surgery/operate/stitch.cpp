@@ -5,7 +5,7 @@
 
 #include "kernel/errors.h"
 
-namespace suture {
+namespace suture::surgery {
 
 Sewing::Sewing(Mesh& mesh, const Sites& sites, Origins& origins)
     : mesh_(mesh), sites_(sites), origins_(origins) {
@@ -49,4 +49,4 @@ std::vector<Mesh::Face_index> Sewing::add(
   return faces;
 }
 
-}  // namespace suture
+}  // namespace suture::surgery

@@ -5,10 +5,10 @@
 #include <initializer_list>
 #include <vector>
 
-#include "surgery/operate/sites.h"
 #include "surgery/model/surface.h"
+#include "surgery/operate/sites.h"
 
-namespace suture {
+namespace suture::surgery {
 
 /// Vertices that sewing made, by kind; of type 2 those on the region's boundary.
 struct StitchedVertices {
@@ -42,4 +42,4 @@ class Sewing {
   StitchedVertices made_;
 };
 
-}  // namespace suture
+}  // namespace suture::surgery

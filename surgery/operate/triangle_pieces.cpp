@@ -6,7 +6,7 @@
 
 #include "kernel/errors.h"
 
-namespace suture {
+namespace suture::surgery {
 
 namespace {
 
@@ -184,4 +184,4 @@ TrianglePieces triangle_pieces(const Incidence& mesh, std::uint32_t triangle,
   return Walk(mesh, triangle, lattice, oracle, crossings).run();
 }
 
-}  // namespace suture
+}  // namespace suture::surgery

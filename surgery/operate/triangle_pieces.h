@@ -6,7 +6,7 @@
 #include "surgery/detect/crossings.h"
 #include "surgery/detect/region.h"
 
-namespace suture {
+namespace suture::surgery {
 
 /// "No cell": what lies across a side that is on a mesh edge.
 inline constexpr LatticeId kNoCell = ~LatticeId{0};
@@ -49,4 +49,4 @@ TrianglePieces triangle_pieces(const Incidence& mesh, std::uint32_t triangle,
                                const Lattice& lattice, const Oracle& oracle,
                                const Crossings& crossings);
 
-}  // namespace suture
+}  // namespace suture::surgery

@@ -12,7 +12,7 @@
 #include <map>
 #include <set>
 
-namespace suture {
+namespace suture::surgery {
 
 namespace {
 
@@ -199,4 +199,4 @@ std::optional<std::vector<Triangle>> triangulate_planar(const PlanarRegion& regi
   return found;
 }
 
-}  // namespace suture
+}  // namespace suture::surgery

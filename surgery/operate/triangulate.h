@@ -8,7 +8,7 @@
 
 #include "kernel/triangles.h"
 
-namespace suture {
+namespace suture::surgery {
 
 /// Whether two corners of a polygon, not neighbours on it, may not be joined.
 using Forbidden = std::function<bool(std::uint32_t, std::uint32_t)>;
@@ -36,4 +36,4 @@ struct PlanarRegion {
 std::optional<std::vector<Triangle>> triangulate_planar(const PlanarRegion& region,
                                                         const Forbidden& forbidden);
 
-}  // namespace suture
+}  // namespace suture::surgery

@@ -5,7 +5,7 @@
 #include "surgery/quality/passes.h"
 #include "surgery/quality/vertex_normal.h"
 
-namespace suture {
+namespace suture::surgery {
 
 namespace {
 
@@ -45,4 +45,4 @@ CollapseRules Improvement::rules_at(Mesh::Halfedge_index h) const {
   return here;
 }
 
-}  // namespace suture
+}  // namespace suture::surgery

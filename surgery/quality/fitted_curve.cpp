@@ -11,7 +11,7 @@
 
 #include "surgery/quality/vertex_normal.h"
 
-namespace suture {
+namespace suture::surgery {
 
 namespace {
 
@@ -140,4 +140,4 @@ Point FittedCurve::at(double part) const {
   return source_ + part * along_ + height * along_.norm() * normal_;
 }
 
-}  // namespace suture
+}  // namespace suture::surgery

@@ -6,7 +6,7 @@
 
 #include "kernel/mesh.h"
 
-namespace suture {
+namespace suture::surgery {
 
 /// The curve over an edge on a polynomial surface of degree 2 to 4, fitted to the vertices of the
 /// two rings around it as heights over the plane that has the edge in it. Where the surface is
@@ -24,4 +24,4 @@ class FittedCurve {
   std::array<double, 5> heights_{};  ///< by powers of part − 1/2, in lengths of the edge
 };
 
-}  // namespace suture
+}  // namespace suture::surgery

@@ -7,7 +7,7 @@
 
 #include "surgery/quality/passes.h"
 
-namespace suture {
+namespace suture::surgery {
 
 namespace {
 
@@ -134,4 +134,4 @@ std::size_t flatten_caps(Improvement& work) {
   return done;
 }
 
-}  // namespace suture
+}  // namespace suture::surgery

@@ -8,7 +8,7 @@
 #include "kernel/errors.h"
 #include "surgery/quality/passes.h"
 
-namespace suture {
+namespace suture::surgery {
 
 namespace {
 
@@ -82,4 +82,4 @@ QualityReport improve(Mesh& mesh, const QualityOptions& options, const Lattice* 
   return report;
 }
 
-}  // namespace suture
+}  // namespace suture::surgery

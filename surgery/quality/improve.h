@@ -5,7 +5,7 @@
 #include "surgery/model/options.h"
 #include "surgery/model/report.h"
 
-namespace suture {
+namespace suture::surgery {
 
 /// Improves `mesh` in place until no edge is too long or short and no triangle is bad, or nothing
 /// more is allowed, or options.passes have run. The result is closed and manifold where the input
@@ -15,4 +15,4 @@ namespace suture {
 QualityReport improve(Mesh& mesh, const QualityOptions& options, const Lattice* lattice,
                       const Oracle* oracle);
 
-}  // namespace suture
+}  // namespace suture::surgery

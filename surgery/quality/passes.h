@@ -7,7 +7,7 @@
 #include "surgery/model/options.h"
 #include "surgery/model/report.h"
 
-namespace suture {
+namespace suture::surgery {
 
 /// A feature smaller than this many times the shortest edge is below what the mesh resolves: it may
 /// go if no other way is left to be rid of a short edge. Without it, creases that a flow folds into
@@ -78,4 +78,4 @@ std::size_t flip_bad_edges(Improvement& improvement);
 /// edge.
 std::size_t flatten_caps(Improvement& improvement);
 
-}  // namespace suture
+}  // namespace suture::surgery

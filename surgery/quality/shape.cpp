@@ -6,7 +6,7 @@
 
 #include "surgery/quality/passes.h"
 
-namespace suture {
+namespace suture::surgery {
 
 Shape shape_of(const Corners& t) {
   Shape shape;
@@ -76,4 +76,4 @@ LocalChange split_change(const Mesh& mesh, Mesh::Halfedge_index h, const Point& 
   return change;
 }
 
-}  // namespace suture
+}  // namespace suture::surgery

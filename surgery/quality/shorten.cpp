@@ -6,7 +6,7 @@
 
 #include "surgery/quality/passes.h"
 
-namespace suture {
+namespace suture::surgery {
 
 namespace {
 
@@ -178,4 +178,4 @@ std::size_t collapse_short_edges(Improvement& work) {
   return done;
 }
 
-}  // namespace suture
+}  // namespace suture::surgery

@@ -9,7 +9,7 @@
 #include "surgery/quality/passes.h"
 #include "surgery/quality/vertex_normal.h"
 
-namespace suture {
+namespace suture::surgery {
 
 namespace {
 
@@ -112,4 +112,4 @@ std::size_t subdivide_long_edges(Improvement& work) {
   return done;
 }
 
-}  // namespace suture
+}  // namespace suture::surgery

@@ -3,7 +3,7 @@
 
 #include <Eigen/Geometry>
 
-namespace suture {
+namespace suture::surgery {
 
 Point vertex_normal(const Mesh& mesh, Mesh::Vertex_index v) {
   Point sum = Point::Zero();
@@ -17,4 +17,4 @@ Point vertex_normal(const Mesh& mesh, Mesh::Vertex_index v) {
   return sum.normalized();
 }
 
-}  // namespace suture
+}  // namespace suture::surgery

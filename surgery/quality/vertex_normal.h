@@ -3,10 +3,10 @@
 
 #include "kernel/mesh.h"
 
-namespace suture {
+namespace suture::surgery {
 
 /// Unit normal, weighted so that it is exact on a sphere, however irregular the star [Max 1999];
 /// not finite where no triangle of the star has an area.
 Point vertex_normal(const Mesh& mesh, Mesh::Vertex_index v);
 
-}  // namespace suture
+}  // namespace suture::surgery

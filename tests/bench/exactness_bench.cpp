@@ -11,9 +11,12 @@
 #include "kernel/random.h"
 #include "sims/driver/stepper.h"
 #include "tests/models.h"
+#include "tests/paths.h"
 #include "tests/surgery/support.h"
 
 using namespace suture;
+using namespace suture::surgery;
+using namespace suture::sims;
 
 namespace {
 
@@ -82,8 +85,7 @@ Input fed_back() {
 }
 
 Input late_curl_noise() {
-  Scene scene =
-      read_scene(std::filesystem::path(SUTURE_SOURCE_DIR) / "data/scenes/curl_noise.toml");
+  Scene scene = read_scene(std::filesystem::path(source_dir()) / "data/scenes/curl_noise.toml");
   Stepper stepper(scene, scene.tracker);
   StepWatcher nobody;
   for (std::int64_t i = 1; i <= 120; ++i) stepper.step(i, nobody);

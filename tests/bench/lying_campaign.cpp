@@ -9,6 +9,8 @@
 #include "tests/brute/lying_runs.h"
 
 using namespace suture;
+using namespace suture::surgery;
+using namespace suture::sims;
 
 namespace {
 

@@ -15,6 +15,7 @@
 #include "tests/brute/construct_questions.h"
 
 using namespace suture;
+using namespace suture::sims;
 using namespace suture::brute;
 
 namespace {

@@ -12,6 +12,7 @@
 #include "tests/surgery/support.h"
 
 using namespace suture;
+using namespace suture::surgery;
 
 namespace {
 

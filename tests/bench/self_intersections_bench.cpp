@@ -4,13 +4,15 @@
 
 #include <algorithm>
 
-#include "kernel/random.h"
 #include "kernel/measure/self_intersections.h"
+#include "kernel/random.h"
 #include "sims/scene/option_names.h"
 #include "tests/models.h"
 #include "tests/surgery/sewn.h"
 
 using namespace suture;
+using namespace suture::surgery;
+using namespace suture::sims;
 
 namespace {
 

@@ -6,13 +6,16 @@
 
 #include "kernel/audit.h"
 #include "sims/scene/option_names.h"
+#include "surgery/model/tracker_lattice.h"
 #include "surgery/quality/improve.h"
 #include "surgery/remodel.h"
-#include "surgery/model/tracker_lattice.h"
 #include "tests/brute/lying_oracle.h"
 #include "tests/surgery/hostile.h"
 
 namespace suture {
+
+using namespace suture::surgery;
+using namespace suture::sims;
 
 inline constexpr std::array<double, 8> kLies = {1e-4, 1e-3, 0.01, 0.03, 0.1, 0.3, 0.6, 1};
 

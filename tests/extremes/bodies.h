@@ -4,11 +4,13 @@
 #include <cmath>
 #include <numbers>
 
-#include "kernel/shapes/isosurface.h"
 #include "kernel/random.h"
+#include "kernel/shapes/isosurface.h"
 #include "tests/surgery/support.h"
 
 namespace suture {
+
+using namespace suture::surgery;
 
 /// Every coordinate × 2^exponent, as ldexp rounds it.
 inline Triangles times_power(Triangles surface, int exponent) {

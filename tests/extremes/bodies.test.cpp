@@ -3,6 +3,7 @@
 #include "tests/extremes/bodies.h"
 
 using namespace suture;
+using namespace suture::surgery;
 
 namespace {
 

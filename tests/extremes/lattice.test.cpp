@@ -5,6 +5,7 @@
 #include "tests/surgery/remodelled.h"
 
 using namespace suture;
+using namespace suture::surgery;
 
 TEST_CASE("in cells far larger than it a body stays if it holds a node, and goes if it does not") {
   for (const double cell : {1e200, 100.0, 4.0}) {

@@ -5,6 +5,8 @@
 #include "tests/extremes/bodies.h"
 
 using namespace suture;
+using namespace suture::surgery;
+using namespace suture::sims;
 
 TEST_CASE("what a remodel has settled stays settled over a hundred remodels, to the last bit") {
   Tracker tracker(two_balls(12), {.cell_size = 0.1});

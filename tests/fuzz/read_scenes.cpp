@@ -10,6 +10,8 @@
 
 namespace suture::fuzz {
 
+using namespace suture::sims;
+
 namespace {
 
 constexpr double kMostPartsALength = 4;  // edges along a shape's lengths: some 500 triangles

@@ -7,6 +7,7 @@
 
 #include "kernel/files.h"
 #include "tests/fuzz/targets.h"
+#include "tests/paths.h"
 
 using namespace suture;
 using namespace suture::fuzz;
@@ -15,7 +16,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-const fs::path kFolder = fs::path(SUTURE_SOURCE_DIR) / "tests/fuzz";
+const fs::path kFolder = fs::path(suture::source_dir()) / "tests/fuzz";
 
 /// The files of a folder in the order of their names; none where there is no folder.
 std::vector<fs::path> files(const fs::path& folder) {

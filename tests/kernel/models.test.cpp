@@ -11,6 +11,7 @@
 #include "kernel/errors.h"
 #include "kernel/measure/measures.h"
 #include "kernel/repair/orientation.h"
+#include "tests/paths.h"
 
 using namespace suture;
 
@@ -58,7 +59,7 @@ Facts facts(const std::filesystem::path& path) {
 }  // namespace
 
 TEST_CASE("every classic mesh at hand is what models.toml says of it", "[slow]") {
-  const toml::table list = toml::parse_file(SUTURE_SOURCE_DIR "/data/models.toml");
+  const toml::table list = toml::parse_file(source_dir() + "/data/models.toml");
   const toml::array& models = *list["model"].as_array();
   CHECK(models.size() >= 140);
   std::size_t seen = 0;

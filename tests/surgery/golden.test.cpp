@@ -18,6 +18,8 @@
 #include "tests/surgery/support.h"
 
 using namespace suture;
+using namespace suture::surgery;
+using namespace suture::sims;
 
 namespace {
 

@@ -5,9 +5,11 @@
 #include "kernel/errors.h"
 #include "kernel/repair/repair.h"
 #include "tests/models.h"
+#include "tests/paths.h"
 #include "tests/surgery/support.h"
 
 using namespace suture;
+using namespace suture::surgery;
 
 namespace {
 
@@ -23,7 +25,7 @@ std::vector<Listed> package() {
   auto value = [](const std::string& line) {
     return line.substr(line.find('"') + 1, line.rfind('"') - line.find('"') - 1);
   };
-  std::ifstream list(std::string(SUTURE_SOURCE_DIR) + "/data/models.toml");
+  std::ifstream list(source_dir() + "/data/models.toml");
   for (std::string line; std::getline(list, line);) {
     if (line.starts_with("file = ")) model.file = value(line);
     if (line.starts_with("package = ")) ours = value(line) == "libcgal-demo";

@@ -5,6 +5,7 @@
 #include "tests/surgery/remodelled.h"
 
 using namespace suture;
+using namespace suture::surgery;
 
 namespace {
 

@@ -7,6 +7,8 @@
 
 namespace suture {
 
+using namespace suture::surgery;
+
 struct Remodelled {
   Triangles surface;
   SurgeryReport report;

@@ -6,14 +6,16 @@
 
 #include "surgery/detect/complex_cells.h"
 #include "surgery/detect/deep_cells.h"
-#include "surgery/operate/fill.h"
-#include "surgery/operate/placement.h"
 #include "surgery/detect/region.h"
 #include "surgery/model/tracker_lattice.h"
+#include "surgery/operate/fill.h"
+#include "surgery/operate/placement.h"
 #include "tests/surgery/hostile.h"
 #include "tests/surgery/support.h"
 
 namespace suture {
+
+using namespace suture::surgery;
 
 /// Detection on the tracker's lattice, up to the region.
 struct Detection {

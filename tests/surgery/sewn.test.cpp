@@ -6,6 +6,7 @@
 #include "surgery/detect/distance_field.h"
 
 using namespace suture;
+using namespace suture::surgery;
 
 namespace {
 

@@ -13,6 +13,8 @@
 
 namespace suture {
 
+using namespace suture::surgery;
+
 /// Crossings and windings of a surface on the lattice that a tracker would use.
 struct Scan {
   Incidence mesh;

@@ -10,6 +10,8 @@
 #include "tests/surgery/support.h"
 
 using namespace suture;
+using namespace suture::surgery;
+using namespace suture::sims;
 
 TEST_CASE("under an oracle that lies, a remodel refuses or commits a closed manifold, never junk") {
   std::map<double, LyingRun> sum;

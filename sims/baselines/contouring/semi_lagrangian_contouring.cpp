@@ -7,11 +7,11 @@
 
 #include "kernel/errors.h"
 #include "kernel/measure/signed_distance.h"
-#include "sims/support/processes.h"
 #include "sims/baselines/grid/level_set_grid.h"
 #include "sims/baselines/grid/paths.h"
+#include "sims/support/processes.h"
 
-namespace suture {
+namespace suture::sims {
 namespace {
 
 /// The new surface's implicit function in one step, in cells.
@@ -166,4 +166,4 @@ std::unique_ptr<SurfaceTracker> make_semi_lagrangian_contouring(const Triangles&
   return std::make_unique<Contouring>(surface, options);
 }
 
-}  // namespace suture
+}  // namespace suture::sims

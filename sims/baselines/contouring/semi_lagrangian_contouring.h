@@ -5,7 +5,7 @@
 
 #include "sims/tracking/surface_tracker.h"
 
-namespace suture {
+namespace suture::sims {
 
 /// [Strain 2001; Bargteil, Goktekin, O'Brien and Strain 2006], on a uniform lattice near the
 /// surface in place of their octrees, and with exact distances and signs where they interpolate far
@@ -25,4 +25,4 @@ struct ContouringOptions {
 std::unique_ptr<SurfaceTracker> make_semi_lagrangian_contouring(const Triangles& surface,
                                                                 const ContouringOptions& options);
 
-}  // namespace suture
+}  // namespace suture::sims

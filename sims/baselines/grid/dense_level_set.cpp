@@ -3,7 +3,7 @@
 
 #include "kernel/errors.h"
 
-namespace suture {
+namespace suture::sims {
 
 Index3 NodeBox::node(std::size_t at) const {
   const auto y = static_cast<std::size_t>(size[1]), z = static_cast<std::size_t>(size[2]);
@@ -54,4 +54,4 @@ std::vector<std::size_t> interface_nodes(const DenseLevelSet& set) {
   return found;
 }
 
-}  // namespace suture
+}  // namespace suture::sims

@@ -9,7 +9,7 @@
 #include "kernel/lattice.h"
 #include "kernel/triangles.h"
 
-namespace suture {
+namespace suture::sims {
 
 /// The grid's nodes low … low + size − 1, in the order of (i, j, k).
 struct NodeBox {
@@ -72,4 +72,4 @@ struct DenseLevelSet {
 /// Nodes with a neighbour along an axis on the other side, in order. A node with φ = 0 is outside.
 std::vector<std::size_t> interface_nodes(const DenseLevelSet& set);
 
-}  // namespace suture
+}  // namespace suture::sims

@@ -12,7 +12,7 @@
 #include "kernel/errors.h"
 #include "kernel/measure/signed_distance.h"
 
-namespace suture {
+namespace suture::sims {
 namespace {
 
 using openvdb::Coord;
@@ -227,4 +227,4 @@ double sampled(openvdb::FloatGrid::ConstAccessor& values, const openvdb::Vec3d& 
   return static_cast<double>(openvdb::tools::BoxSampler::sample(values, index));
 }
 
-}  // namespace suture
+}  // namespace suture::sims

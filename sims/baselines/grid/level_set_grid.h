@@ -5,11 +5,11 @@
 
 #include <functional>
 
-#include "kernel/shapes/marching_tetrahedra.h"
 #include "kernel/measure/nearest_triangle.h"
+#include "kernel/shapes/marching_tetrahedra.h"
 #include "kernel/triangles.h"
 
-namespace suture {
+namespace suture::sims {
 
 /// A lattice with a node at `origin`, and a band of nodes on it round a surface. Grids know nothing
 /// of it: their space is that of the indices, and their distances are in cells, so scale is no
@@ -60,4 +60,4 @@ Triangles contour(const openvdb::FloatGrid& grid, const BandOptions& options);
 /// Trilinear between the nodes, in cells; ± the half width outside the band.
 double sampled(openvdb::FloatGrid::ConstAccessor& values, const openvdb::Vec3d& index);
 
-}  // namespace suture
+}  // namespace suture::sims

@@ -3,10 +3,10 @@
 
 #include <algorithm>
 
-#include "kernel/shapes/marching_tetrahedra.h"
 #include "kernel/measure/signed_distance.h"
+#include "kernel/shapes/marching_tetrahedra.h"
 
-namespace suture {
+namespace suture::sims {
 namespace {
 
 constexpr double kOffNodes = 1e-6;  ///< parts of an edge: a vertex on a node would be many vertices
@@ -81,4 +81,4 @@ Triangles zero_surface(const DenseLevelSet& set, const GridFrame& frame) {
   return marching.take();
 }
 
-}  // namespace suture
+}  // namespace suture::sims

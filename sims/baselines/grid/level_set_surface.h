@@ -3,7 +3,7 @@
 
 #include "sims/baselines/grid/dense_level_set.h"
 
-namespace suture {
+namespace suture::sims {
 
 /// Where the grid lies, in the scene's unit.
 struct GridFrame {
@@ -22,4 +22,4 @@ DenseLevelSet dense_level_set(const Triangles& surface, const GridFrame& frame, 
 /// none. Vertices are at the linear zeros on the tetrahedra's edges.
 Triangles zero_surface(const DenseLevelSet& set, const GridFrame& frame);
 
-}  // namespace suture
+}  // namespace suture::sims

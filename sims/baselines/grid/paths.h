@@ -3,7 +3,7 @@
 
 #include "surgery/tracker.h"
 
-namespace suture {
+namespace suture::sims {
 
 /// u as the grid sees it: points in cells from its origin, velocities in cells a unit of time.
 struct GridVelocity {
@@ -32,4 +32,4 @@ inline Point path_end(const GridVelocity& u, const Point& p, double t, double dt
   return p + dt / 6 * (a + 2 * b + 2 * c + d);
 }
 
-}  // namespace suture
+}  // namespace suture::sims

@@ -8,12 +8,12 @@
 #include <string>
 
 #include "kernel/errors.h"
-#include "sims/support/processes.h"
 #include "sims/baselines/grid/level_set_grid.h"
 #include "sims/baselines/level_set/mac_cormack.h"
 #include "sims/baselines/level_set/upwind_advection.h"
+#include "sims/support/processes.h"
 
-namespace suture {
+namespace suture::sims {
 namespace {
 
 void require_order(int order, int least, int most, const char* name) {
@@ -140,4 +140,4 @@ std::unique_ptr<SurfaceTracker> make_level_set_tracker(const Triangles& surface,
   return std::make_unique<LevelSet>(surface, options);
 }
 
-}  // namespace suture
+}  // namespace suture::sims

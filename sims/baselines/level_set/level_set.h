@@ -6,7 +6,7 @@
 
 #include "sims/tracking/surface_tracker.h"
 
-namespace suture {
+namespace suture::sims {
 
 /// How gradients are taken: from one side, to some order, or weighted so that they do not oscillate
 /// [Jiang and Peng 2000]. OpenVDB's WENO5 for conservation laws is no scheme for φ: it is left out.
@@ -54,4 +54,4 @@ struct LevelSetOptions {
 std::unique_ptr<SurfaceTracker> make_level_set_tracker(const Triangles& surface,
                                                        const LevelSetOptions& options);
 
-}  // namespace suture
+}  // namespace suture::sims

@@ -11,7 +11,7 @@
 
 #include "kernel/errors.h"
 
-namespace suture {
+namespace suture::sims {
 namespace {
 
 using openvdb::FloatGrid;
@@ -133,4 +133,4 @@ FloatGrid::Ptr mac_cormack(const FloatGrid& grid, const GridVelocity& u,
   return Step(grid, u, step).take();
 }
 
-}  // namespace suture
+}  // namespace suture::sims

@@ -1,11 +1,11 @@
 // MacCormack's semi-Lagrangian step in a narrow band: forth, back, and half the error [Selle 2008].
 #pragma once
 
-#include "sims/baselines/level_set/level_set.h"
 #include "sims/baselines/grid/level_set_grid.h"
 #include "sims/baselines/grid/paths.h"
+#include "sims/baselines/level_set/level_set.h"
 
-namespace suture {
+namespace suture::sims {
 
 struct MacCormackStep {
   double time = 0, dt = 0;
@@ -19,4 +19,4 @@ struct MacCormackStep {
 openvdb::FloatGrid::Ptr mac_cormack(const openvdb::FloatGrid& grid, const GridVelocity& u,
                                     const MacCormackStep& step);
 
-}  // namespace suture
+}  // namespace suture::sims

@@ -9,7 +9,7 @@
 
 #include "kernel/errors.h"
 
-namespace suture {
+namespace suture::sims {
 namespace {
 
 using openvdb::math::BiasedGradientScheme;
@@ -110,4 +110,4 @@ double fastest(const openvdb::FloatGrid& grid, const GridVelocity& u, double tim
       [](double a, double b) { return std::max(a, b); });
 }
 
-}  // namespace suture
+}  // namespace suture::sims

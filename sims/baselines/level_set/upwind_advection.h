@@ -1,11 +1,11 @@
 // OpenVDB's level set tracker [Museth 2013]: upwind advection in a narrow band, re-normalised.
 #pragma once
 
-#include "sims/baselines/level_set/level_set.h"
 #include "sims/baselines/grid/level_set_grid.h"
 #include "sims/baselines/grid/paths.h"
+#include "sims/baselines/level_set/level_set.h"
 
-namespace suture {
+namespace suture::sims {
 
 /// The longest sub-step, as a part of the time in which the fastest node crosses a cell.
 double courant_number(int time_order);
@@ -25,4 +25,4 @@ void renormalise(openvdb::FloatGrid& grid, const Renormalisation& options);
 /// The greatest |u|, in cells a unit of time, over every eighth node of the band.
 double fastest(const openvdb::FloatGrid& grid, const GridVelocity& u, double time);
 
-}  // namespace suture
+}  // namespace suture::sims

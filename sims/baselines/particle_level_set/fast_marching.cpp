@@ -6,7 +6,7 @@
 #include <queue>
 #include <utility>
 
-namespace suture {
+namespace suture::sims {
 namespace {
 
 constexpr double kFar = std::numeric_limits<double>::infinity();
@@ -158,4 +158,4 @@ void march_distances(DenseLevelSet& set, const ClosestPoint& closest) {
   }
 }
 
-}  // namespace suture
+}  // namespace suture::sims

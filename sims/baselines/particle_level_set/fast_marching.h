@@ -3,7 +3,7 @@
 
 #include "sims/baselines/grid/dense_level_set.h"
 
-namespace suture {
+namespace suture::sims {
 
 /// Newton steps towards the zero of the trilinear φ, from the nodes next to it. The numbers are
 /// those of PhysBAM, the code of the particle level set's authors, but for the tolerance, there
@@ -21,4 +21,4 @@ struct ClosestPoint {
 /// and on and on. Beyond: |∇φ| = 1 by upwind differences, from the nearest outwards.
 void march_distances(DenseLevelSet& set, const ClosestPoint& closest = {});
 
-}  // namespace suture
+}  // namespace suture::sims

@@ -3,7 +3,7 @@
 
 #include "kernel/sparse_field.h"
 
-namespace suture {
+namespace suture::sims {
 namespace {
 
 struct Rebuilt {
@@ -45,4 +45,4 @@ std::size_t correct(DenseLevelSet& set, const std::vector<Marker>& markers,
   return count;
 }
 
-}  // namespace suture
+}  // namespace suture::sims

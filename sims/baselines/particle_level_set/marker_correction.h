@@ -3,7 +3,7 @@
 
 #include "sims/baselines/particle_level_set/marker_particles.h"
 
-namespace suture {
+namespace suture::sims {
 
 /// Each escaped marker's ball is a level set s·(r − |x − x_p|). φ⁺ is the greatest of φ and those
 /// of the escaped outer markers, φ⁻ the least of φ and those of the inner ones, each at the corners
@@ -12,4 +12,4 @@ namespace suture {
 std::size_t correct(DenseLevelSet& set, const std::vector<Marker>& markers,
                     const MarkerRules& rules);
 
-}  // namespace suture
+}  // namespace suture::sims

@@ -6,7 +6,7 @@
 
 #include "kernel/errors.h"
 
-namespace suture {
+namespace suture::sims {
 namespace {
 
 double radius_at(double depth, const MarkerRules& rules) {
@@ -148,4 +148,4 @@ void reseed(std::vector<Marker>& markers, const DenseLevelSet& set, const Marker
   markers = std::move(all);
 }
 
-}  // namespace suture
+}  // namespace suture::sims

@@ -6,7 +6,7 @@
 #include "sims/baselines/grid/dense_level_set.h"
 #include "sims/baselines/grid/paths.h"
 
-namespace suture {
+namespace suture::sims {
 
 /// A ball that touches the surface from its own side, or lies on that side.
 struct Marker {
@@ -44,4 +44,4 @@ void carry(std::vector<Marker>& markers, const GridVelocity& u, double t, double
 void reseed(std::vector<Marker>& markers, const DenseLevelSet& set, const MarkerRules& rules,
             Random& random);
 
-}  // namespace suture
+}  // namespace suture::sims

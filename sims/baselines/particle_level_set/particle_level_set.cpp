@@ -5,14 +5,14 @@
 
 #include "kernel/audit.h"
 #include "kernel/errors.h"
-#include "sims/support/processes.h"
-#include "sims/baselines/particle_level_set/fast_marching.h"
 #include "sims/baselines/grid/level_set_surface.h"
+#include "sims/baselines/particle_level_set/fast_marching.h"
 #include "sims/baselines/particle_level_set/marker_correction.h"
 #include "sims/baselines/particle_level_set/semi_lagrangian.h"
 #include "sims/baselines/particle_level_set/weno_level_set.h"
+#include "sims/support/processes.h"
 
-namespace suture {
+namespace suture::sims {
 namespace {
 
 void require(bool holds, const std::string& what) {
@@ -170,4 +170,4 @@ std::unique_ptr<SurfaceTracker> make_particle_level_set(const Triangles& surface
   return std::make_unique<ParticleLevelSet>(surface, options);
 }
 
-}  // namespace suture
+}  // namespace suture::sims

@@ -7,7 +7,7 @@
 
 #include "sims/tracking/surface_tracker.h"
 
-namespace suture {
+namespace suture::sims {
 
 /// The two publications differ in how φ moves and how it becomes a distance again.
 enum class ParticleLevelSetVersion {
@@ -43,4 +43,4 @@ struct ParticleLevelSetOptions {
 std::unique_ptr<SurfaceTracker> make_particle_level_set(const Triangles& surface,
                                                         const ParticleLevelSetOptions& options);
 
-}  // namespace suture
+}  // namespace suture::sims

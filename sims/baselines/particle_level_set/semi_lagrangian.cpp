@@ -5,7 +5,7 @@
 
 #include "kernel/errors.h"
 
-namespace suture {
+namespace suture::sims {
 namespace {
 
 /// The box of all nodes within `reach` of the given ones, and of what has to be covered.
@@ -92,4 +92,4 @@ DenseLevelSet semi_lagrangian(const DenseLevelSet& old, const GridVelocity& u,
   }
 }
 
-}  // namespace suture
+}  // namespace suture::sims

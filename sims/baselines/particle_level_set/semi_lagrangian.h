@@ -5,7 +5,7 @@
 #include "sims/baselines/grid/dense_level_set.h"
 #include "sims/baselines/grid/paths.h"
 
-namespace suture {
+namespace suture::sims {
 
 struct BackTrace {
   double time = 0, dt = 0;  ///< from time to time + dt
@@ -21,4 +21,4 @@ struct BackTrace {
 DenseLevelSet semi_lagrangian(const DenseLevelSet& old, const GridVelocity& u,
                               const BackTrace& trace);
 
-}  // namespace suture
+}  // namespace suture::sims

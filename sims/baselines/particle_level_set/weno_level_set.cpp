@@ -6,7 +6,7 @@
 #include "kernel/errors.h"
 #include "sims/baselines/level_set/upwind_advection.h"
 
-namespace suture {
+namespace suture::sims {
 namespace {
 
 LevelSetOptions weno5_rk3(double width) {
@@ -75,4 +75,4 @@ DenseLevelSet weno_relaxed(const DenseLevelSet& old, int steps, const Box& cover
   return dense(*grid, old.width, cover);
 }
 
-}  // namespace suture
+}  // namespace suture::sims

@@ -4,7 +4,7 @@
 #include "sims/baselines/grid/dense_level_set.h"
 #include "sims/baselines/grid/paths.h"
 
-namespace suture {
+namespace suture::sims {
 
 /// From time to time + dt; `cover` is as for BackTrace.
 struct WenoStep {
@@ -20,4 +20,4 @@ DenseLevelSet weno_advected(const DenseLevelSet& old, const GridVelocity& u, con
 /// Smereka and Osher 1994]. \pre steps >= 1
 DenseLevelSet weno_relaxed(const DenseLevelSet& old, int steps, const Box& cover);
 
-}  // namespace suture
+}  // namespace suture::sims

@@ -10,7 +10,7 @@
 
 #include "kernel/errors.h"
 
-namespace suture {
+namespace suture::sims {
 namespace {
 
 using Complex = std::complex<double>;
@@ -206,4 +206,4 @@ std::vector<Point> ripples(const Triangles& surface, double h, const CurvatureOp
   return result;
 }
 
-}  // namespace suture
+}  // namespace suture::sims

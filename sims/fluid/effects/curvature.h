@@ -6,7 +6,7 @@
 
 #include "kernel/triangles.h"
 
-namespace suture {
+namespace suture::sims {
 
 /// The gradient of the surface's area by each vertex [Brochu 2006]: with a minus and times the
 /// tension it is the force on the vertex. Over a closed surface the sum is zero to rounding; of a
@@ -41,4 +41,4 @@ std::vector<double> mean_curvature(const Triangles& surface, double h,
 std::vector<Point> ripples(const Triangles& surface, double h,
                            const CurvatureOptions& options = {});
 
-}  // namespace suture
+}  // namespace suture::sims

@@ -7,7 +7,7 @@
 #include "sims/fluid/effects/surface_velocity.h"
 #include "sims/fluid/effects/viscosity.h"
 
-namespace suture {
+namespace suture::sims {
 namespace {
 
 constexpr double kOnSolid = 0.25;  // cells: a vertex so near a solid lies on it
@@ -153,4 +153,4 @@ void Effects::after_remodel(const Triangles& surface) {
   if (s.volume) s.costs.timed("volume_control", [&] { s.volume->after_remodel(surface); });
 }
 
-}  // namespace suture
+}  // namespace suture::sims

@@ -10,7 +10,7 @@
 #include "sims/fluid/pressure.h"
 #include "sims/tracking/surface_tracker.h"
 
-namespace suture {
+namespace suture::sims {
 
 /// A step's velocity and what it is about. Lives for the step.
 struct StepState {
@@ -65,4 +65,4 @@ class Effects {
   std::unique_ptr<State> state_;
 };
 
-}  // namespace suture
+}  // namespace suture::sims

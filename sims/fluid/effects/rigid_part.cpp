@@ -7,7 +7,7 @@
 #include <cmath>
 #include <numeric>
 
-namespace suture {
+namespace suture::sims {
 namespace {
 
 using Square = Eigen::Matrix<double, 6, 6>;
@@ -129,4 +129,4 @@ std::size_t RigidPart::memory() const {
          bodies_.size() * (sizeof(Square) + sizeof(Modes));  // while it corrects
 }
 
-}  // namespace suture
+}  // namespace suture::sims

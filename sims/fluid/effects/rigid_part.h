@@ -5,7 +5,7 @@
 
 #include "sims/fluid/effects/viscous_system.h"
 
-namespace suture {
+namespace suture::sims {
 
 /// The bodies that terms connect, and a correction of each by a rigid motion.
 class RigidPart {
@@ -37,4 +37,4 @@ class RigidPart {
       basis_;  // columns of mass 1 and orthogonal by mass, or 0
 };
 
-}  // namespace suture
+}  // namespace suture::sims

@@ -7,7 +7,7 @@
 #include "sims/fluid/advect_velocity.h"
 #include "sims/fluid/grid/grid_corners.h"
 
-namespace suture {
+namespace suture::sims {
 namespace {
 
 /// Where in its cell what is known by known[place] is: cells' middles, and edges along an axis.
@@ -242,4 +242,4 @@ Strain carried(const Strain& old, const MacVelocity& u, const SparseGrid& new_gr
   return now;
 }
 
-}  // namespace suture
+}  // namespace suture::sims

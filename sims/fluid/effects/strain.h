@@ -3,7 +3,7 @@
 
 #include "sims/fluid/effects/strain_rate.h"
 
-namespace suture {
+namespace suture::sims {
 
 /// Elastic strain, staggered as the strain rate that makes it: no component is ever averaged to
 /// another's place for the force, which so is the exact slope of an energy. Empty: there is none.
@@ -26,4 +26,4 @@ struct Strain {
 Strain carried(const Strain& old, const MacVelocity& u, const SparseGrid& new_grid,
                const Liquid& liquid, double dt);
 
-}  // namespace suture
+}  // namespace suture::sims

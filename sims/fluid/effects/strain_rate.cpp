@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-namespace suture {
+namespace suture::sims {
 namespace {
 
 /// A wall nearer than this to a face's middle, in cells, is as if it were so far: the stress of a
@@ -113,4 +113,4 @@ RateStencil StrainRate::shear(int axis, Slot s) const {
   return r.weight > 0 ? r : RateStencil{};
 }
 
-}  // namespace suture
+}  // namespace suture::sims

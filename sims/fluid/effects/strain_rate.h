@@ -9,7 +9,7 @@
 #include "sims/fluid/liquid/volume_fractions.h"
 #include "sims/fluid/solids/solids.h"
 
-namespace suture {
+namespace suture::sims {
 
 /// A symmetric tensor, each component where the strain rate of a staggered velocity is central:
 /// stretch[a] is component (a,a) at cell centres, shear[a] is component (b,c), of the other two
@@ -111,4 +111,4 @@ class StrainRate {
   bool no_slip_;
 };
 
-}  // namespace suture
+}  // namespace suture::sims

@@ -6,10 +6,10 @@
 #include <numbers>
 
 #include "kernel/errors.h"
-#include "sims/fluid/liquid/crossing.h"
 #include "sims/fluid/effects/surface_velocity.h"
+#include "sims/fluid/liquid/crossing.h"
 
-namespace suture {
+namespace suture::sims {
 
 std::array<std::vector<double>, 3> tension_jump(const Triangles& surface,
                                                 const NearestTriangle& nearest,
@@ -50,4 +50,4 @@ std::vector<Point> ripple_velocity(const Triangles& surface, double h, double de
   return velocity;
 }
 
-}  // namespace suture
+}  // namespace suture::sims

@@ -10,7 +10,7 @@
 #include "sims/fluid/effects/curvature.h"
 #include "sims/fluid/liquid/liquid.h"
 
-namespace suture {
+namespace suture::sims {
 
 /// The pressure in the liquid minus that of the air, σκ, by axis and face; 0 at faces that do not
 /// part a cell inside from one outside. κ is that of the triangle at the place where the surface
@@ -43,4 +43,4 @@ inline constexpr double kRippleRate = 0.1;
 std::vector<Point> ripple_velocity(const Triangles& surface, double h, double density,
                                    double tension, CurvatureOptions options = {});
 
-}  // namespace suture
+}  // namespace suture::sims

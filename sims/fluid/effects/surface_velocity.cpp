@@ -5,7 +5,7 @@
 #include <array>
 #include <limits>
 
-namespace suture {
+namespace suture::sims {
 namespace {
 
 /// Weights of the corners at the triangle's point nearest to p.
@@ -41,4 +41,4 @@ SurfacePlace nearest_place(const Triangles& surface, const NearestTriangle& near
                  p, {surface.positions[t[0]], surface.positions[t[1]], surface.positions[t[2]]})};
 }
 
-}  // namespace suture
+}  // namespace suture::sims

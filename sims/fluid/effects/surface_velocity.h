@@ -6,7 +6,7 @@
 #include "kernel/measure/nearest_triangle.h"
 #include "kernel/triangles.h"
 
-namespace suture {
+namespace suture::sims {
 
 /// A place on a surface: a triangle, and the weights of its corners, each 0 to 1, together 1.
 struct SurfacePlace {
@@ -43,4 +43,4 @@ class SurfaceVelocity {
   NearestTriangle nearest_;
 };
 
-}  // namespace suture
+}  // namespace suture::sims

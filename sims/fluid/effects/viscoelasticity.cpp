@@ -7,7 +7,7 @@
 #include "kernel/errors.h"
 #include "sims/fluid/effects/viscosity.h"
 
-namespace suture {
+namespace suture::sims {
 namespace {
 
 void check(const ElasticOptions& o, double dt) {
@@ -275,4 +275,4 @@ double elastic_energy(const Strain& strain, const Liquid& liquid, const SolidFac
   return options.modulus * sum * std::pow(rate.grid().h(), 3);
 }
 
-}  // namespace suture
+}  // namespace suture::sims

@@ -6,7 +6,7 @@
 #include "sims/fluid/effects/strain.h"
 #include "sims/fluid/effects/viscous_system.h"
 
-namespace suture {
+namespace suture::sims {
 
 struct ElasticOptions {
   double modulus = 0;  ///< G, of shear: stress is 2G·(elastic strain)
@@ -47,4 +47,4 @@ void stretch(Strain& strain, const MacVelocity& velocity, const Liquid& liquid,
 double elastic_energy(const Strain& strain, const Liquid& liquid, const SolidFaces& solids,
                       const ElasticOptions& options);
 
-}  // namespace suture
+}  // namespace suture::sims

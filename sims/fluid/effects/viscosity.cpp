@@ -6,7 +6,7 @@
 
 #include "kernel/errors.h"
 
-namespace suture {
+namespace suture::sims {
 
 DiffusionReport diffuse(MacVelocity& velocity, const Liquid& liquid, const SolidFaces& solids,
                         const ViscosityOptions& viscosity, double dt,
@@ -30,4 +30,4 @@ DiffusionReport diffuse(MacVelocity& velocity, const Liquid& liquid, const Solid
   return report;
 }
 
-}  // namespace suture
+}  // namespace suture::sims

@@ -3,7 +3,7 @@
 
 #include "sims/fluid/effects/viscous_system.h"
 
-namespace suture {
+namespace suture::sims {
 
 struct ViscosityOptions {
   double viscosity = 0;  ///< dynamic: force per area and per rate of shear (Pa·s in SI units)
@@ -26,4 +26,4 @@ DiffusionReport diffuse(MacVelocity& velocity, const Liquid& liquid, const Solid
 /// of size L; a stiffer system would only lose the masses in rounding.
 inline constexpr double kStiffest = 1e12;
 
-}  // namespace suture
+}  // namespace suture::sims

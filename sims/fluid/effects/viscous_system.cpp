@@ -7,7 +7,7 @@
 #include "kernel/errors.h"
 #include "sims/fluid/effects/rigid_part.h"
 
-namespace suture {
+namespace suture::sims {
 namespace {
 
 using Numbers = std::array<std::vector<std::uint32_t>, 3>;
@@ -260,4 +260,4 @@ void relax_massless(MacVelocity& velocity, const StrainRate& rate, const StressS
   }
 }
 
-}  // namespace suture
+}  // namespace suture::sims

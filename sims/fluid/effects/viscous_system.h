@@ -5,10 +5,10 @@
 #include <cstdint>
 #include <vector>
 
-#include "sims/fluid/linear/linear_solver.h"
 #include "sims/fluid/effects/strain_rate.h"
+#include "sims/fluid/linear/linear_solver.h"
 
-namespace suture {
+namespace suture::sims {
 
 /// One of the two cells at the face is liquid, so that a projection gives it a velocity.
 inline bool touches(const Liquid& liquid, int axis, Slot face) {
@@ -85,4 +85,4 @@ DiffusionReport step_stress(MacVelocity& velocity, const StrainRate& rate, const
 /// extrapolated to them would strain.
 void relax_massless(MacVelocity& velocity, const StrainRate& rate, const StressStep& step);
 
-}  // namespace suture
+}  // namespace suture::sims

@@ -7,7 +7,7 @@
 #include "kernel/errors.h"
 #include "sims/fluid/liquid/component_tracking.h"
 
-namespace suture {
+namespace suture::sims {
 namespace {
 
 void require(bool right, const char* option, double value, const char* range) {
@@ -165,4 +165,4 @@ std::size_t VolumeControl::memory() const {
          before_.triangles.capacity() * sizeof(Triangle);
 }
 
-}  // namespace suture
+}  // namespace suture::sims

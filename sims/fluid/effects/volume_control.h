@@ -6,7 +6,7 @@
 
 #include "sims/fluid/liquid/liquid_bodies.h"
 
-namespace suture {
+namespace suture::sims {
 
 /// How fast lost volume comes back [Kim et al. 2007]. Who loses a share of the volume in every step
 /// is short of `relaxation` times that, less what the integral part balances.
@@ -71,4 +71,4 @@ class VolumeControl {
   bool remodelling_ = false;
 };
 
-}  // namespace suture
+}  // namespace suture::sims

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-namespace suture {
+namespace suture::sims {
 namespace {
 
 constexpr int kSide = SparseGrid::kSide;
@@ -81,4 +81,4 @@ std::vector<CellBox> active_boxes(const SparseGrid& grid, const std::vector<std:
   return boxes;
 }
 
-}  // namespace suture
+}  // namespace suture::sims

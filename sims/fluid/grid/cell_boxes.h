@@ -6,7 +6,7 @@
 
 #include "sims/fluid/grid/sparse_grid.h"
 
-namespace suture {
+namespace suture::sims {
 
 struct CellBox {
   Index3 low, high;  ///< both in it
@@ -23,4 +23,4 @@ struct CellBox {
 /// each exist. In the order of the lowest blocks.
 std::vector<CellBox> active_boxes(const SparseGrid& grid, const std::vector<std::uint8_t>& active);
 
-}  // namespace suture
+}  // namespace suture::sims

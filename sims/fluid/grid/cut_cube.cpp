@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace suture {
+namespace suture::sims {
 namespace {
 
 /// Below the plane m·x = a of the unit cube with a corner at the origin; 0 <= m sorted, sum 1.
@@ -61,4 +61,4 @@ CutCube cut_cube(const Point& normal, double s) {
   return cut;
 }
 
-}  // namespace suture
+}  // namespace suture::sims

@@ -3,7 +3,7 @@
 
 #include "kernel/triangles.h"
 
-namespace suture {
+namespace suture::sims {
 
 /// Of the unit cube about the origin, the part where normal·x < s.
 struct CutCube {
@@ -18,4 +18,4 @@ CutCube cut_cube(const Point& normal, double s);
 /// Its volume alone, at a 17th of the price. \pre the normal is not 0; it may have any length
 double cut_volume(const Point& normal, double s);
 
-}  // namespace suture
+}  // namespace suture::sims

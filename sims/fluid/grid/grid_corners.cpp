@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace suture {
+namespace suture::sims {
 namespace {
 
 /// Known faces that weigh less, of 1, do so by rounding alone: p is where none is known, and a
@@ -65,4 +65,4 @@ GridCorners::Bounds GridCorners::bounds(const std::vector<double>& values,
   return b;
 }
 
-}  // namespace suture
+}  // namespace suture::sims

@@ -7,7 +7,7 @@
 
 #include "sims/fluid/grid/sparse_grid.h"
 
-namespace suture {
+namespace suture::sims {
 
 /// Of a quantity that each cell has at one place, `within` cells up each axis from its low corner.
 struct GridCorners {
@@ -36,4 +36,4 @@ struct GridCorners {
   Bounds bounds(const std::vector<double>& values, const std::vector<std::uint8_t>& known) const;
 };
 
-}  // namespace suture
+}  // namespace suture::sims

@@ -6,7 +6,7 @@
 
 #include "kernel/sort_unique.h"
 
-namespace suture {
+namespace suture::sims {
 namespace {
 
 GridCorners corners(const SparseGrid& grid, int axis, const Point& p) {
@@ -72,4 +72,4 @@ double largest_component(const MacVelocity& velocity) {
   return largest;
 }
 
-}  // namespace suture
+}  // namespace suture::sims

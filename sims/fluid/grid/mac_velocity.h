@@ -7,7 +7,7 @@
 
 #include "sims/fluid/grid/grid_corners.h"
 
-namespace suture {
+namespace suture::sims {
 
 /// One component a face: u[a][s] is at grid->face(grid->cell(s), a), the low side of cell s. Faces
 /// that are not known hold nothing that means anything.
@@ -41,4 +41,4 @@ void extrapolate(MacVelocity& velocity, int layers);
 /// The largest magnitude of a component on the known faces; 0 where there is none.
 double largest_component(const MacVelocity& velocity);
 
-}  // namespace suture
+}  // namespace suture::sims

@@ -7,7 +7,7 @@
 #include "kernel/errors.h"
 #include "kernel/sort_unique.h"
 
-namespace suture {
+namespace suture::sims {
 namespace {
 
 constexpr std::int64_t kLargestTable = 1 << 20;  // blocks; beyond it a hash costs less
@@ -85,4 +85,4 @@ Index3 SparseGrid::cell_at(const Point& p) const {
   return c;
 }
 
-}  // namespace suture
+}  // namespace suture::sims

@@ -7,7 +7,7 @@
 
 #include "kernel/lattice.h"
 
-namespace suture {
+namespace suture::sims {
 
 /// What a solver calls a cell that exists: its place in every array over the grid.
 using Slot = std::size_t;
@@ -102,4 +102,4 @@ class SparseGrid {
   std::unordered_map<Index3, std::uint32_t, Hash> map_;
 };
 
-}  // namespace suture
+}  // namespace suture::sims

@@ -17,7 +17,7 @@
 
 #include "kernel/errors.h"
 
-namespace suture {
+namespace suture::sims {
 namespace {
 
 /// MPI from the first solve to the end of this process, as one process alone.
@@ -322,4 +322,4 @@ void solve_rows(const SparseRows& matrix, const std::vector<double>& right, std:
   if (all_finite(found)) x = std::move(found);
 }
 
-}  // namespace suture
+}  // namespace suture::sims

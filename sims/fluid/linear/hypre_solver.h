@@ -4,7 +4,7 @@
 #include "sims/fluid/grid/cell_boxes.h"
 #include "sims/fluid/linear/linear_solver.h"
 
-namespace suture {
+namespace suture::sims {
 
 /// Powers of two that bring a system near 1: else products of tiny or huge numbers leave the range
 /// of doubles, as no scene's units should make them.
@@ -25,4 +25,4 @@ void solve_rows(const SparseRows& matrix, const std::vector<double>& right, std:
                 const SystemScale& scale, const SolverOptions& options, RowsMethod method,
                 int& iterations);
 
-}  // namespace suture
+}  // namespace suture::sims

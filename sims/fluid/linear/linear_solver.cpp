@@ -9,7 +9,7 @@
 #include "sims/fluid/grid/cell_boxes.h"
 #include "sims/fluid/linear/hypre_solver.h"
 
-namespace suture {
+namespace suture::sims {
 namespace {
 
 // Measured with pools, waves and drops of 65,000 to 416,000 unknowns: PFMG takes some 0.5 µs a cell
@@ -231,4 +231,4 @@ SolveReport solve(const SparseRows& matrix, const std::vector<double>& right,
   return report;
 }
 
-}  // namespace suture
+}  // namespace suture::sims

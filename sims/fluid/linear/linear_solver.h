@@ -8,7 +8,7 @@
 
 #include "sims/fluid/grid/sparse_grid.h"
 
-namespace suture {
+namespace suture::sims {
 
 struct SolverOptions {
   double tolerance = 1e-6;  ///< of the residual, as a part of the right side's size (2-norms)
@@ -62,4 +62,4 @@ SolveReport solve(const SevenPoint& matrix, const std::vector<double>& right,
 SolveReport solve(const SparseRows& matrix, const std::vector<double>& right,
                   std::vector<double>& x, const SolverOptions& options = {});
 
-}  // namespace suture
+}  // namespace suture::sims

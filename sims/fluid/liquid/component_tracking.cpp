@@ -9,7 +9,7 @@
 #include "kernel/lattice.h"
 #include "kernel/repair/weld.h"
 
-namespace suture {
+namespace suture::sims {
 namespace {
 
 constexpr std::size_t kSample = 64;  // vertices; in eighths of them a body is told by its share
@@ -116,4 +116,4 @@ BodyGroups body_groups(const Triangles& before, const LiquidBodies& bodies_befor
   return groups;
 }
 
-}  // namespace suture
+}  // namespace suture::sims

@@ -3,7 +3,7 @@
 
 #include "sims/fluid/liquid/liquid_bodies.h"
 
-namespace suture {
+namespace suture::sims {
 
 /// Bodies before and after a change in groups that hold the same liquid: one to one where nothing
 /// happened, several to one for a merge, one to several for a split.
@@ -18,4 +18,4 @@ struct BodyGroups {
 BodyGroups body_groups(const Triangles& before, const LiquidBodies& bodies_before,
                        const Triangles& after, const LiquidBodies& bodies_after);
 
-}  // namespace suture
+}  // namespace suture::sims

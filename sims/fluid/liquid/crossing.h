@@ -3,7 +3,7 @@
 
 #include "sims/fluid/liquid/liquid.h"
 
-namespace suture {
+namespace suture::sims {
 
 /// Calls f(axis, face, cell, point) for each face between a cell inside and one outside: `cell` is
 /// the one inside, `point` where the surface leaves on the way from its centre to the other's.
@@ -22,4 +22,4 @@ void for_each_crossing(const Liquid& liquid, F f) {
     }
 }
 
-}  // namespace suture
+}  // namespace suture::sims

@@ -12,7 +12,7 @@
 #include "kernel/sort_unique.h"
 #include "sims/fluid/liquid/surface_cells.h"
 
-namespace suture {
+namespace suture::sims {
 namespace {
 
 constexpr int kSide = SparseGrid::kSide;
@@ -215,4 +215,4 @@ std::size_t Liquid::memory() const {
   return bytes;
 }
 
-}  // namespace suture
+}  // namespace suture::sims

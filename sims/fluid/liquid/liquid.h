@@ -5,10 +5,10 @@
 #include <vector>
 
 #include "kernel/triangles.h"
-#include "sims/fluid/solids/solids.h"
 #include "sims/fluid/grid/sparse_grid.h"
+#include "sims/fluid/solids/solids.h"
 
-namespace suture {
+namespace suture::sims {
 
 /// Signed distance to the liquid's surface, negative inside; as a SurfaceTracker's.
 using DistanceFunction = std::function<double(const Point&)>;
@@ -80,4 +80,4 @@ inline constexpr double kThinnestAir = 0.5;
 Liquid liquid_on(const SparseGrid& grid, const LiquidCells& cells, const Triangles& surface = {},
                  const Solids& solids = {}, double t = 0);
 
-}  // namespace suture
+}  // namespace suture::sims

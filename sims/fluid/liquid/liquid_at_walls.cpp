@@ -7,7 +7,7 @@
 #include "kernel/sort_unique.h"
 #include "sims/fluid/liquid/liquid.h"
 
-namespace suture {
+namespace suture::sims {
 namespace {
 
 /// A triangle so near a wall, in cells, is none whose plane the surface has: it lies along the
@@ -164,4 +164,4 @@ Liquid liquid_on(const SparseGrid& grid, const LiquidCells& cells, const Triangl
   return liquid;
 }
 
-}  // namespace suture
+}  // namespace suture::sims

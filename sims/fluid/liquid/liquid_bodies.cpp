@@ -8,7 +8,7 @@
 #include "kernel/measure/signed_distance.h"
 #include "sims/fluid/liquid/crossing.h"
 
-namespace suture {
+namespace suture::sims {
 namespace {
 
 /// A component of the surface, made ready to be asked what is in it when somebody does.
@@ -134,4 +134,4 @@ std::vector<std::uint32_t> bodies_of_cells(const LiquidBodies& bodies,
   return body;
 }
 
-}  // namespace suture
+}  // namespace suture::sims

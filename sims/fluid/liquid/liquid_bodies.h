@@ -8,7 +8,7 @@
 #include "kernel/triangles.h"
 #include "sims/fluid/liquid/liquid.h"
 
-namespace suture {
+namespace suture::sims {
 
 /// A body is a component of the surface that bounds liquid from outside, with all components that
 /// bound cavities in it. Numbered in order of first appearance.
@@ -35,4 +35,4 @@ BodyMeasures measure(const Triangles& surface, const LiquidBodies& bodies);
 std::vector<std::uint32_t> bodies_of_cells(const LiquidBodies& bodies,
                                            const NearestTriangle& nearest, const Liquid& liquid);
 
-}  // namespace suture
+}  // namespace suture::sims

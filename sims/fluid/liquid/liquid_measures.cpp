@@ -7,7 +7,7 @@
 #include "kernel/errors.h"
 #include "sims/fluid/grid/cut_cube.h"
 
-namespace suture {
+namespace suture::sims {
 namespace {
 
 /// A cell's six faces, the low one of each axis first.
@@ -134,4 +134,4 @@ LiquidMeasures measure_liquid(const MacVelocity& velocity, const Liquid& liquid,
   return sum;
 }
 
-}  // namespace suture
+}  // namespace suture::sims

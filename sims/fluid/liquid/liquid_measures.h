@@ -3,11 +3,11 @@
 
 #include <vector>
 
-#include "sims/fluid/liquid/liquid.h"
 #include "sims/fluid/grid/mac_velocity.h"
+#include "sims/fluid/liquid/liquid.h"
 #include "sims/fluid/solids/solids.h"
 
-namespace suture {
+namespace suture::sims {
 
 /// In the scene's units. Sums over cells by the part of each that is liquid and no solid: D is
 /// taken as a plane there, a solid as flat by what it leaves open of the faces. Second order in h.
@@ -28,4 +28,4 @@ LiquidMeasures measure_liquid(const MacVelocity& velocity, const Liquid& liquid,
                               const SolidFaces& solids, double density, const Point& gravity,
                               const std::vector<double>* wanted = nullptr);
 
-}  // namespace suture
+}  // namespace suture::sims

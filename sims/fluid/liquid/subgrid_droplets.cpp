@@ -5,7 +5,7 @@
 
 #include "sims/fluid/solids/wall_projection.h"
 
-namespace suture {
+namespace suture::sims {
 namespace {
 
 /// Cells: how near to a solid what it does to the velocity at a wall is felt (constrain).
@@ -56,4 +56,4 @@ void DropsAtSolids::put(std::vector<Point>& positions) const {
   for (const Vertex& v : moved_) positions[v.index] = v.to;
 }
 
-}  // namespace suture
+}  // namespace suture::sims

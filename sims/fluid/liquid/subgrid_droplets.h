@@ -3,10 +3,10 @@
 
 #include <vector>
 
-#include "sims/fluid/liquid/liquid.h"
 #include "sims/fluid/grid/mac_velocity.h"
+#include "sims/fluid/liquid/liquid.h"
 
-namespace suture {
+namespace suture::sims {
 
 /// The drops at a solid in a step, and where they go. All others fly with the velocity that the
 /// liquid's faces have at each of their vertices, which at a solid would flatten them.
@@ -32,4 +32,4 @@ class DropsAtSolids {
   std::vector<Vertex> moved_;
 };
 
-}  // namespace suture
+}  // namespace suture::sims

@@ -6,7 +6,7 @@
 
 #include "kernel/errors.h"
 
-namespace suture {
+namespace suture::sims {
 namespace {
 
 struct Corners {
@@ -153,4 +153,4 @@ std::vector<FaceCrossing> crossings_along(const Triangles& surface, const Sparse
   return crossings;
 }
 
-}  // namespace suture
+}  // namespace suture::sims

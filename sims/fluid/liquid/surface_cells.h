@@ -6,10 +6,10 @@
 #include <vector>
 
 #include "kernel/triangles.h"
-#include "sims/fluid/liquid/liquid.h"
 #include "sims/fluid/grid/sparse_grid.h"
+#include "sims/fluid/liquid/liquid.h"
 
-namespace suture {
+namespace suture::sims {
 
 /// A triangle's corners in cells: a cell's centre is at its whole indices.
 using CellTriangle = std::array<Point, 3>;
@@ -34,4 +34,4 @@ std::vector<std::uint8_t> cells_near(const Triangles& surface, const SparseGrid&
 std::vector<FaceCrossing> crossings_along(const Triangles& surface, const SparseGrid& grid,
                                           int axis);
 
-}  // namespace suture
+}  // namespace suture::sims

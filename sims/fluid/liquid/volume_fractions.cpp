@@ -5,7 +5,7 @@
 
 #include "sims/fluid/grid/cut_cube.h"
 
-namespace suture {
+namespace suture::sims {
 namespace {
 
 /// D at the 27 cells round s; what does not exist is air.
@@ -89,4 +89,4 @@ Shares liquid_shares(const Liquid& liquid) {
   return shares;
 }
 
-}  // namespace suture
+}  // namespace suture::sims

@@ -6,7 +6,7 @@
 
 #include "sims/fluid/liquid/liquid.h"
 
-namespace suture {
+namespace suture::sims {
 
 /// Liquid shares, 0 to 1, of boxes of side h: cells, and those round the middles of faces and of
 /// edges. All are made of the same eighths of cells, so that where one of them has liquid, so have
@@ -28,4 +28,4 @@ inline constexpr float kLeastShare = 1e-4f;
 /// at the eighth's middle: exact for a flat surface, symmetric, second order for a curved one.
 Shares liquid_shares(const Liquid& liquid);
 
-}  // namespace suture
+}  // namespace suture::sims

@@ -7,7 +7,7 @@
 
 #include "sims/fluid/solids/solids.h"
 
-namespace suture {
+namespace suture::sims {
 namespace {
 
 constexpr int kSide = SparseGrid::kSide;
@@ -118,4 +118,4 @@ SolidFaces faces_of(const Solids& solids, const SparseGrid& grid, double t) {
   return faces;
 }
 
-}  // namespace suture
+}  // namespace suture::sims

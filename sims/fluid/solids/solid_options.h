@@ -4,7 +4,7 @@
 #include "kernel/triangles.h"
 #include "sims/fluid/solids/solids.h"
 
-namespace suture {
+namespace suture::sims {
 
 enum class SolidKind { container, box, ball, mesh };
 
@@ -32,4 +32,4 @@ inline Solid make_solid(const SolidOptions& s, const Point& origin, double h) {
   return Solid::container(s.box, s.motion);
 }
 
-}  // namespace suture
+}  // namespace suture::sims

@@ -10,7 +10,7 @@
 #include "kernel/measure/signed_distance.h"
 #include "sims/fluid/liquid/liquid.h"
 
-namespace suture {
+namespace suture::sims {
 
 /// A solid at rest where its motion begins.
 struct Solid::Shape {
@@ -211,4 +211,4 @@ std::size_t SolidFaces::memory() const {
   return bytes;
 }
 
-}  // namespace suture
+}  // namespace suture::sims

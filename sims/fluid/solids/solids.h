@@ -8,7 +8,7 @@
 #include "kernel/triangles.h"
 #include "sims/fluid/grid/sparse_grid.h"
 
-namespace suture {
+namespace suture::sims {
 
 /// A translation in time: velocity·t + amplitude·sin(2π·t/period).
 struct SolidMotion {
@@ -85,4 +85,4 @@ inline constexpr double kLeastOpen = 0.01;
 /// is within rounding of a solid is in it: a wall on a plane of the grid closes what is on it.
 SolidFaces faces_of(const Solids& solids, const SparseGrid& grid, double t);
 
-}  // namespace suture
+}  // namespace suture::sims

@@ -6,7 +6,7 @@
 #include <limits>
 #include <utility>
 
-namespace suture {
+namespace suture::sims {
 namespace {
 
 /// Differences for a normal are taken over this part of a length: short beside what a solid's shape
@@ -113,4 +113,4 @@ KeptBody kept_out(const Solids& solids, const std::vector<Point>& body, const Po
   return {gone / dt, deepest(t + dt).first < -kNormalStep * length};
 }
 
-}  // namespace suture
+}  // namespace suture::sims

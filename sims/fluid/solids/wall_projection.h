@@ -4,7 +4,7 @@
 #include "sims/fluid/grid/mac_velocity.h"
 #include "sims/fluid/solids/solids.h"
 
-namespace suture {
+namespace suture::sims {
 
 /// Gives each known closed face the velocity there without what differs from the solid's across its
 /// surface, so that what is interpolated at a wall moves along it, and freely so [Batty et al.
@@ -26,4 +26,4 @@ struct KeptBody {
 KeptBody kept_out(const Solids& solids, const std::vector<Point>& body, const Point& v, double t,
                   double dt, double length);
 
-}  // namespace suture
+}  // namespace suture::sims

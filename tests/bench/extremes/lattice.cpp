@@ -7,6 +7,8 @@
 
 namespace suture::extremes {
 
+using namespace suture::surgery;
+
 namespace {
 
 /// Two balls, radius 1, in cells of `size`; the error is that of the union.

@@ -6,6 +6,8 @@
 
 namespace suture::extremes {
 
+using namespace suture::surgery;
+
 namespace {
 
 /// The surface and the cells × 2^k, against the twin at k = 0.

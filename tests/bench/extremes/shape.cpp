@@ -6,6 +6,8 @@
 
 namespace suture::extremes {
 
+using namespace suture::surgery;
+
 namespace {
 
 /// Two balls with slivers of this aspect, against the same two with a gap of 2^-10.

@@ -7,6 +7,8 @@
 
 namespace suture::extremes {
 
+using namespace suture::surgery;
+
 double union_of_two_balls(int frequency) {
   if (frequency <= 64)
     return exact_union_volume(ball(1, {0.013, 0.007, 0.003}, frequency),

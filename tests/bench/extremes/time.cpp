@@ -10,6 +10,9 @@
 
 namespace suture::extremes {
 
+using namespace suture::surgery;
+using namespace suture::sims;
+
 namespace {
 
 /// How often the surface of one call differs from that of the call before, after the first

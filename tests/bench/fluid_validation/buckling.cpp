@@ -6,6 +6,8 @@
 
 namespace suture {
 
+using namespace suture::sims;
+
 /// Times are parts by which it is shorter. The rate at which the bend grows is between shortenings
 /// of 0.02 and 0.06, beyond which the bend is not small against the width.
 void buckling(Rows& rows) {

@@ -7,16 +7,19 @@
 #include <functional>
 
 #include "tests/bench/fluid_validation/validation.h"
+#include "tests/paths.h"
 #include "tests/sims/fluid/runs.h"
 
 namespace suture {
+
+using namespace suture::sims;
 namespace {
 
 using Line = std::vector<std::pair<double, double>>;  // times and values
 
 /// Of the experiment: Z, the front, at T, or H, the height at the wall, at τ.
 Line experiment(int n2, char quantity) {
-  std::ifstream file(SUTURE_SOURCE_DIR "/papers/fluid/martin_moyce.csv");
+  std::ifstream file(source_dir() + "/papers/fluid/martin_moyce.csv");
   Line points;
   for (std::string line; std::getline(file, line);) {
     int n = 0;

@@ -5,6 +5,8 @@
 #include "tests/sims/fluid/runs.h"
 
 namespace suture {
+
+using namespace suture::sims;
 namespace {
 
 constexpr double kBend = 0.01;  // so little that what is of second order in it does not count

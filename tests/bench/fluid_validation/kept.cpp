@@ -9,6 +9,8 @@
 
 namespace suture {
 
+using namespace suture::sims;
+
 void still_water(Rows& rows) {
   const double height = 0.437, cell = 0.125;
   for (const double tolerance : {1e-6, 1e-12}) {

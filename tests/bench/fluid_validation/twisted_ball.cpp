@@ -7,6 +7,8 @@
 #include "tests/sims/fluid/runs.h"
 
 namespace suture {
+
+using namespace suture::sims;
 namespace {
 
 constexpr double kSlow = 1e-3;  // of the twist: the ball stays one

@@ -5,6 +5,8 @@
 #include "tests/sims/fluid/runs.h"
 
 namespace suture {
+
+using namespace suture::sims;
 namespace {
 
 constexpr double kSlow = 1e-4;  // of the speed: so slow that nothing is carried

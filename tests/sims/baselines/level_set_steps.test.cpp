@@ -6,6 +6,7 @@
 #include "sims/baselines/level_set/upwind_advection.h"
 
 using namespace suture;
+using namespace suture::sims;
 
 namespace {
 

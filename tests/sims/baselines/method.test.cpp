@@ -13,6 +13,7 @@
 #include "tests/sims/cli/program.h"
 
 using namespace suture;
+using namespace suture::sims;
 using Catch::Matchers::Contains;
 
 namespace {

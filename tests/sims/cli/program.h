@@ -11,6 +11,8 @@
 #include <sstream>
 #include <string>
 
+#include "tests/paths.h"
+
 namespace suture {
 
 /// A fresh folder for one test.
@@ -52,7 +54,7 @@ struct Said {
 };
 
 inline Said suture_program(const std::string& arguments) {
-  std::string command = SUTURE_PROGRAM;
+  std::string command = program_path();
   command.append(" ").append(arguments).append(" 2>&1");  // g++ 12 warns, falsely, of sums
   std::FILE* pipe = popen(command.c_str(), "r");
   if (pipe == nullptr) throw std::runtime_error("cannot run " + command);

@@ -4,13 +4,14 @@
 #include <nlohmann/json.hpp>
 
 #include "kernel/audit.h"
-#include "kernel/measure/measures.h"
 #include "kernel/formats/mesh_io.h"
+#include "kernel/measure/measures.h"
 #include "kernel/shapes/transform.h"
 #include "sims/output/report_json.h"
 #include "tests/sims/balls.h"
 
 using namespace suture;
+using namespace suture::sims;
 using Catch::Matchers::Contains;
 using nlohmann::json;
 

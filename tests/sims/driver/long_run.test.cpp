@@ -6,6 +6,7 @@
 #include "sims/flows/fields.h"
 
 using namespace suture;
+using namespace suture::sims;
 
 namespace {
 

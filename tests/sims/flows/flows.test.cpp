@@ -14,6 +14,8 @@
 #include "tests/sims/balls.h"
 
 using namespace suture;
+using namespace suture::surgery;
+using namespace suture::sims;
 
 namespace {
 

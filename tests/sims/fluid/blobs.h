@@ -6,12 +6,14 @@
 #include <functional>
 #include <memory>
 
-#include "sims/fluid/liquid/liquid.h"
 #include "sims/fluid/grid/mac_velocity.h"
+#include "sims/fluid/liquid/liquid.h"
 #include "sims/fluid/liquid/volume_fractions.h"
 #include "sims/fluid/solids/solids.h"
 
 namespace suture {
+
+using namespace suture::sims;
 
 using Formula = std::function<double(const Point&)>;
 using FlowFormula = std::function<Point(const Point&)>;

@@ -13,6 +13,7 @@
 #include "sims/tracking/mesh_tracker.h"
 
 using namespace suture;
+using namespace suture::sims;
 
 namespace {
 

@@ -3,6 +3,7 @@
 #include "tests/sims/fluid/watched.h"
 
 using namespace suture;
+using namespace suture::sims;
 
 TEST_CASE("a dam breaks at any CFL number from 0.1 to 20") {
   struct Case {

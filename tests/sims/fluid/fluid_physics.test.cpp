@@ -6,6 +6,7 @@
 #include "tests/sims/fluid/runs.h"
 
 using namespace suture;
+using namespace suture::sims;
 
 namespace {
 

@@ -3,6 +3,7 @@
 #include "tests/sims/fluid/watched.h"
 
 using namespace suture;
+using namespace suture::sims;
 
 TEST_CASE("a drop smaller than a cell falls freely, and a coarse lattice ends it") {
   for (const double radius : {0.04, 0.01, 1e-4}) {

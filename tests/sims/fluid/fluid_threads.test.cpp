@@ -4,12 +4,13 @@
 #include <catch2/catch.hpp>
 
 #include "kernel/shapes/shapes.h"
-#include "sims/fluid/frame.h"
 #include "sims/baselines/level_set/level_set.h"
+#include "sims/fluid/frame.h"
 #include "sims/tracking/mesh_tracker.h"
 #include "tests/sims/fluid/watched.h"
 
 using namespace suture;
+using namespace suture::sims;
 
 namespace {
 

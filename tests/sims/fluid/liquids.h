@@ -4,14 +4,16 @@
 #include <functional>
 #include <memory>
 
-#include "kernel/shapes/shapes.h"
 #include "kernel/measure/signed_distance.h"
-#include "sims/fluid/liquid/liquid.h"
+#include "kernel/shapes/shapes.h"
 #include "sims/fluid/grid/mac_velocity.h"
+#include "sims/fluid/liquid/liquid.h"
 #include "sims/fluid/pressure.h"
 #include "sims/fluid/solids/solids.h"
 
 namespace suture {
+
+using namespace suture::sims;
 
 inline Triangles ball(const Point& centre, double radius, double edge_length) {
   SphereParameters p;

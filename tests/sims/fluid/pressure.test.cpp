@@ -9,6 +9,7 @@
 #include "tests/sims/fluid/liquids.h"
 
 using namespace suture;
+using namespace suture::sims;
 
 namespace {
 

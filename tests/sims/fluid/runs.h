@@ -16,6 +16,8 @@
 
 namespace suture {
 
+using namespace suture::sims;
+
 /// How the mesh is looked after: never, at the end of each frame, or improved at each step.
 inline constexpr MeshSchedule kMarkers{0, 0}, kPerFrame{kWhenItSettles, kWhenItSettles},
     kNoMerges{0, 1};

@@ -7,6 +7,7 @@
 #include "tests/sims/fluid/liquids.h"
 
 using namespace suture;
+using namespace suture::sims;
 
 namespace {
 

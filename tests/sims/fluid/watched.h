@@ -13,6 +13,8 @@
 
 namespace suture {
 
+using namespace suture::sims;
+
 inline constexpr double kTankCell = 0.125;
 
 inline SolidOptions solid(SolidKind kind, const Point& low, const Point& high,

@@ -11,6 +11,7 @@
 #include "sims/fuzz/execute.h"
 
 using namespace suture;
+using namespace suture::sims;
 
 namespace {
 

@@ -6,13 +6,14 @@
 #include "kernel/errors.h"
 #include "sims/fuzz/case_file.h"
 #include "sims/fuzz/case_maker.h"
+#include "sims/fuzz/extrude.h"
 #include "sims/fuzz/generators.h"
 #include "sims/fuzz/operation_maker.h"
 #include "sims/fuzz/oracles.h"
-#include "sims/fuzz/extrude.h"
 #include "tests/sims/cli/program.h"
 
 using namespace suture;
+using namespace suture::sims;
 
 TEST_CASE("every generator makes closed oriented manifolds, whatever it draws") {
   for (const std::string& name : generator_names())

@@ -12,6 +12,7 @@
 #include "surgery/tracker.h"
 
 using namespace suture;
+using namespace suture::sims;
 
 namespace {
 

@@ -5,9 +5,11 @@
 #include "sims/fuzz/case_maker.h"
 #include "sims/fuzz/corpus.h"
 #include "sims/fuzz/execute.h"
+#include "tests/paths.h"
 #include "tests/sims/cli/program.h"
 
 using namespace suture;
+using namespace suture::sims;
 
 namespace {
 
@@ -122,8 +124,7 @@ TEST_CASE("fuzz refuses what it cannot do with exit code 2") {
 TEST_CASE("every case of the corpus passes all oracles") {
   const OracleChoice all("all");
   int cases = 0;
-  for (const auto& entry :
-       std::filesystem::directory_iterator(std::string(SUTURE_SOURCE_DIR) + "/data/corpus")) {
+  for (const auto& entry : std::filesystem::directory_iterator(source_dir() + "/data/corpus")) {
     if (entry.path().extension() != ".toml") continue;
     ++cases;
     const CorpusCase c = read_case(entry.path());

@@ -11,6 +11,7 @@
 #include "tests/sims/cli/program.h"
 
 using namespace suture;
+using namespace suture::sims;
 
 namespace {
 

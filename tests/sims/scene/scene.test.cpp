@@ -6,9 +6,11 @@
 #include "kernel/audit.h"
 #include "kernel/errors.h"
 #include "kernel/measure/measures.h"
+#include "tests/paths.h"
 #include "tests/sims/cli/program.h"
 
 using namespace suture;
+using namespace suture::sims;
 
 namespace {
 
@@ -214,7 +216,7 @@ TEST_CASE("pictures are wanted at the start, at the end, and where asked") {
 
 TEST_CASE("every scene that comes with Suture is read and starts as a closed manifold") {
   std::size_t count = 0;
-  for (const auto& entry : std::filesystem::directory_iterator(SUTURE_SOURCE_DIR "/data/scenes")) {
+  for (const auto& entry : std::filesystem::directory_iterator(source_dir() + "/data/scenes")) {
     INFO(entry.path().string());
     CHECK(audit(read_scene(entry.path()).surface).closed_manifold());
     ++count;

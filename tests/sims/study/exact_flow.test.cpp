@@ -10,6 +10,7 @@
 #include "kernel/measure/measures.h"
 
 using namespace suture;
+using namespace suture::sims;
 
 namespace {
 

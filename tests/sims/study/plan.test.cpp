@@ -3,13 +3,14 @@
 #include <set>
 
 #include "kernel/errors.h"
-#include "kernel/measure/measures.h"
 #include "kernel/formats/mesh_io.h"
+#include "kernel/measure/measures.h"
 #include "sims/study/plan.h"
 #include "sims/study/reference.h"
 #include "tests/sims/cli/program.h"
 
 using namespace suture;
+using namespace suture::sims;
 using Catch::Matchers::Contains;
 
 namespace {

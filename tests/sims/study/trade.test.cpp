@@ -6,10 +6,12 @@
 
 #include "sims/study/plot.h"
 #include "sims/study/table.h"
+#include "tests/paths.h"
 #include "tests/sims/cli/program.h"
 #include "tests/sims/study/trade_rows.h"
 
 using namespace suture;
+using namespace suture::sims;
 using Catch::Matchers::Contains;
 
 namespace {
@@ -166,7 +168,7 @@ TEST_CASE("bad factors and options are refused before anything is run or written
 TEST_CASE("where there is no gnuplot the table is kept and the user told what to install") {
   const Folder folder;
   folder.write("scene.toml", kMeeting);
-  const std::string command = "PATH=/nowhere " + std::string(SUTURE_PROGRAM) + " trade " +
+  const std::string command = "PATH=/nowhere " + program_path() + " trade " +
                               folder.name("scene.toml") + " -o " + folder.name("bare") +
                               " --reference start --factors passes=1 2>" + folder.name("error");
   CHECK(WEXITSTATUS(std::system(command.c_str())) == 2);

@@ -5,6 +5,8 @@
 
 namespace suture {
 
+using namespace suture::sims;
+
 /// A sound row: where it stands between cost and error.
 inline Row planted(int run, double seconds, double error, const std::string& design = "grid") {
   Row row;

@@ -11,6 +11,7 @@
 #include "tests/sims/study/trade_rows.h"
 
 using namespace suture;
+using namespace suture::sims;
 using Catch::Matchers::Contains;
 
 namespace {

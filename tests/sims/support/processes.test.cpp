@@ -10,6 +10,7 @@
 #include <numeric>
 
 using namespace suture;
+using namespace suture::sims;
 using Catch::Matchers::Contains;
 
 namespace {

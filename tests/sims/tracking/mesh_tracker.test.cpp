@@ -9,6 +9,7 @@
 #include "tests/sims/balls.h"
 
 using namespace suture;
+using namespace suture::sims;
 
 namespace {
 

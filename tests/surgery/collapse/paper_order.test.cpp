@@ -7,6 +7,7 @@
 #include "tests/surgery/support.h"
 
 using namespace suture;
+using namespace suture::surgery;
 
 namespace {
 

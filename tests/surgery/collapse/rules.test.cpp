@@ -10,6 +10,7 @@
 #include "tests/surgery/quality_bodies.h"
 
 using namespace suture;
+using namespace suture::surgery;
 using namespace suture::bodies;
 
 namespace {

@@ -14,6 +14,7 @@
 #include "tests/sims/balls.h"
 
 using namespace suture;
+using namespace suture::sims;
 
 namespace {
 

@@ -6,12 +6,13 @@
 #include "kernel/audit.h"
 #include "kernel/measure/measures.h"
 #include "kernel/shapes/shapes.h"
-#include "sims/baselines/particle_level_set/fast_marching.h"
 #include "sims/baselines/grid/level_set_surface.h"
+#include "sims/baselines/particle_level_set/fast_marching.h"
 #include "sims/baselines/particle_level_set/marker_correction.h"
 #include "sims/baselines/particle_level_set/semi_lagrangian.h"
 
 using namespace suture;
+using namespace suture::sims;
 
 namespace {
 

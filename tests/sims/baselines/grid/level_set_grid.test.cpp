@@ -6,12 +6,13 @@
 #include "kernel/audit.h"
 #include "kernel/errors.h"
 #include "kernel/measure/measures.h"
+#include "kernel/measure/signed_distance.h"
 #include "kernel/random.h"
 #include "kernel/shapes/shapes.h"
-#include "kernel/measure/signed_distance.h"
 #include "tests/sims/balls.h"
 
 using namespace suture;
+using namespace suture::sims;
 
 namespace {
 

@@ -13,6 +13,7 @@
 #include "tests/sims/balls.h"
 
 using namespace suture;
+using namespace suture::sims;
 
 namespace {
 

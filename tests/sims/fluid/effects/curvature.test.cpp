@@ -6,6 +6,7 @@
 #include "tests/sims/fluid/drops.h"
 
 using namespace suture;
+using namespace suture::sims;
 
 namespace {
 

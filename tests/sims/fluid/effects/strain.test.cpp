@@ -7,6 +7,8 @@
 #include "tests/sims/fluid/blobs.h"
 
 namespace suture {
+
+using namespace suture::sims;
 namespace {
 
 const ElasticOptions unit = [] {

@@ -3,14 +3,15 @@
 #include <numbers>
 
 #include "kernel/errors.h"
-#include "sims/fluid/fluid.h"
 #include "sims/fluid/effects/surface_tension.h"
+#include "sims/fluid/fluid.h"
 #include "sims/tracking/mesh_tracker.h"
 #include "tests/sims/balls.h"
 #include "tests/sims/fluid/drops.h"
 #include "tests/sims/fluid/liquids.h"
 
 using namespace suture;
+using namespace suture::sims;
 
 namespace {
 

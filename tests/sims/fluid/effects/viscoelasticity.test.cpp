@@ -3,11 +3,13 @@
 #include <catch2/catch.hpp>
 
 #include "kernel/errors.h"
-#include "sims/fluid/pressure.h"
 #include "sims/fluid/effects/viscosity.h"
+#include "sims/fluid/pressure.h"
 #include "tests/sims/fluid/blobs.h"
 
 namespace suture {
+
+using namespace suture::sims;
 namespace {
 
 const Point kMiddle{0.013, 0.027, -0.017};  // nowhere special on the grid

@@ -7,6 +7,8 @@
 #include "tests/sims/fluid/blobs.h"
 
 namespace suture {
+
+using namespace suture::sims;
 namespace {
 
 const Point kMiddle{0.013, 0.027, -0.017};  // nowhere special on the grid

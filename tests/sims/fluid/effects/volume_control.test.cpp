@@ -4,11 +4,12 @@
 #include "kernel/measure/measures.h"
 #include "kernel/shapes/shapes.h"
 #include "kernel/shapes/transform.h"
-#include "sims/fluid/liquid/component_tracking.h"
 #include "sims/fluid/effects/volume_control.h"
+#include "sims/fluid/liquid/component_tracking.h"
 #include "surgery/tracker.h"
 
 using namespace suture;
+using namespace suture::sims;
 
 namespace {
 

@@ -11,6 +11,7 @@
 #include "sims/fluid/grid/cell_boxes.h"
 
 using namespace suture;
+using namespace suture::sims;
 
 namespace {
 

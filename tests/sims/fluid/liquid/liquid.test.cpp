@@ -12,6 +12,7 @@
 #include "tests/sims/fluid/liquids.h"
 
 using namespace suture;
+using namespace suture::sims;
 
 TEST_CASE("a cell is liquid where its centre is inside, and D is exact near the surface") {
   for (const double edge : {0.7, 4.0}) {  // in cells: finer and coarser than the grid

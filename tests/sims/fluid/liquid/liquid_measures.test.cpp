@@ -7,6 +7,7 @@
 #include "sims/fluid/liquid/liquid_measures.h"
 
 using namespace suture;
+using namespace suture::sims;
 
 namespace {
 

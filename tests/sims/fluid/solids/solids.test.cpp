@@ -6,11 +6,12 @@
 #include <numbers>
 
 #include "kernel/errors.h"
+#include "kernel/measure/signed_distance.h"
 #include "kernel/random.h"
 #include "kernel/shapes/shapes.h"
-#include "kernel/measure/signed_distance.h"
 
 using namespace suture;
+using namespace suture::sims;
 
 namespace {
 

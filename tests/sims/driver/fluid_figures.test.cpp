@@ -2,6 +2,7 @@
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 
+#include "tests/paths.h"
 #include "tests/sims/cli/program.h"
 
 using nlohmann::json;
@@ -14,7 +15,7 @@ json run(const std::string& figure, const std::string& changes) {
   std::string words;
   std::istringstream settings(changes + " pictures.every=0 meshes.every=0");
   for (std::string setting; settings >> setting;) words += " --set " + setting;
-  const Said said = suture_program("run " SUTURE_SOURCE_DIR "/papers/fluid/scenes/" + figure +
+  const Said said = suture_program("run " + source_dir() + "/papers/fluid/scenes/" + figure +
                                    ".toml -o " + folder.name("out") + words);
   INFO(said.text);
   REQUIRE(said.exit == 0);
