@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "kernel/errors.h"
-#include "kernel/sort_unique.h"
+#include "kernel/lists.h"
 
 namespace suture::sims {
 namespace {
