@@ -5,7 +5,8 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
-#include <numeric>
+
+#include "kernel/union_find.h"
 
 namespace suture::sims {
 namespace {
@@ -18,26 +19,19 @@ constexpr double kLeastMode = 1e-10;
 
 /// The body of each unknown, numbered by their first unknowns.
 std::vector<std::uint32_t> connected(const ViscousSystem& system, std::size_t& count) {
-  std::vector<std::uint32_t> root(system.faces.size());
-  std::iota(root.begin(), root.end(), 0u);
-  const auto find = [&](std::uint32_t i) {
-    while (root[i] != i) i = root[i] = root[root[i]];
-    return i;
-  };
+  UnionFind sets(system.faces.size());
   for (const ViscousSystem::Term& t : system.terms) {
     std::uint32_t first = ViscousSystem::kNone;
     for (const std::uint32_t u : t.unknown) {
       if (u == ViscousSystem::kNone) continue;
-      const std::uint32_t own = find(u);
-      if (first == ViscousSystem::kNone) first = own;
-      root[std::max(first, own)] = std::min(first, own);
-      first = std::min(first, own);
+      if (first == ViscousSystem::kNone) first = u;
+      sets.join(first, u);
     }
   }
   count = 0;
-  std::vector<std::uint32_t> body(root.size());
-  for (std::uint32_t i = 0; i < root.size(); ++i) {
-    const std::uint32_t r = find(i);
+  std::vector<std::uint32_t> body(sets.size());
+  for (std::uint32_t i = 0; i < body.size(); ++i) {
+    const std::uint32_t r = sets.root(i);
     body[i] = r == i ? static_cast<std::uint32_t>(count++) : body[r];
   }
   return body;
