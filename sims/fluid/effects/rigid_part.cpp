@@ -21,10 +21,10 @@ constexpr double kLeastMode = 1e-10;
 std::vector<std::uint32_t> connected(const ViscousSystem& system, std::size_t& count) {
   UnionFind sets(system.faces.size());
   for (const ViscousSystem::Term& t : system.terms) {
-    std::uint32_t first = ViscousSystem::kNone;
+    std::uint32_t first = kNone;
     for (const std::uint32_t u : t.unknown) {
-      if (u == ViscousSystem::kNone) continue;
-      if (first == ViscousSystem::kNone) first = u;
+      if (u == kNone) continue;
+      if (first == kNone) first = u;
       sets.join(first, u);
     }
   }
@@ -89,14 +89,14 @@ RigidPart::Modes RigidPart::modes(std::uint32_t unknown) const {
 RigidPart::Modes RigidPart::modes(const ViscousSystem::Term& term) const {
   Modes m = Modes::Zero();
   for (int n = 0; n < 4; ++n)
-    if (term.unknown[n] != ViscousSystem::kNone) m += term.way[n] * modes(term.unknown[n]);
+    if (term.unknown[n] != kNone) m += term.way[n] * modes(term.unknown[n]);
   return m;
 }
 
 std::uint32_t RigidPart::body(const ViscousSystem::Term& term) const {
   for (const std::uint32_t u : term.unknown)
-    if (u != ViscousSystem::kNone) return body_of_[u];
-  return ViscousSystem::kNone;
+    if (u != kNone) return body_of_[u];
+  return kNone;
 }
 
 void RigidPart::correct(std::vector<double>& v) const {
