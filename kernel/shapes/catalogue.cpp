@@ -1,4 +1,4 @@
-// The shapes by name, for the command line and scenes.
+// The table of the shapes: each parameter is bound to a member of its shape's struct.
 #include "kernel/shapes/catalogue.h"
 
 #include <cmath>
@@ -27,7 +27,7 @@ int whole(const std::string& name, double value) {
   return static_cast<int>(value);
 }
 
-// One parameter of the struct P: how it is read and written, with what a user is told of it.
+// One parameter of the struct P: how it is read and written, and its description for users.
 template <class P>
 struct Binding {
   Binding(double P::*member, std::string name_, std::string unit_, std::string meaning_)

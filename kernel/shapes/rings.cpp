@@ -1,4 +1,4 @@
-// Rows of vertices, and the strips of triangles between them; surfaces of revolution.
+// Rows are zipped by the middles of their edges; neighbouring circles are staggered.
 #include "kernel/shapes/rings.h"
 
 #include <algorithm>

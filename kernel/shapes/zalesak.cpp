@@ -228,10 +228,11 @@ class SlottedSphere {
 
 Triangles zalesak(const ZalesakParameters& p) {
   require_positive("zalesak: radius", p.radius);
-  require_range("zalesak: slot_width", p.slot_width, 0.01 * p.radius, p.radius,
-                "0.01 to 1 of the radius");
-  require_range("zalesak: slot_top", p.slot_top, -0.8 * p.radius, 0.8 * p.radius,
-                "within 0.8 of the radius from the centre's height");
+  require_range("zalesak: slot_width", p.slot_width,
+                {0.01 * p.radius, p.radius, "0.01 to 1 of the radius"});
+  require_range(
+      "zalesak: slot_top", p.slot_top,
+      {-0.8 * p.radius, 0.8 * p.radius, "within 0.8 of the radius from the centre's height"});
   require_resolution("zalesak", 8 * kPi * p.radius * p.radius, p.edge_length);
   return translated(SlottedSphere(p).take(), p.centre);
 }
