@@ -10,8 +10,8 @@
 
 namespace suture {
 
-/// Values at a sparse set of lattice ids; costs what it holds, not what the lattice could hold.
-/// Iteration order is the order of insertion, so results do not depend on hashing.
+/// Values at a sparse set of lattice ids. Memory follows what the field holds, not the size of the
+/// lattice. Values are kept in the order of insertion, so that results do not depend on hashing.
 template <class T>
 class SparseField {
  public:
@@ -33,7 +33,7 @@ class SparseField {
   /// The value at `id`, made from `T{}` if there is none yet.
   T& operator[](LatticeId id) { return values_[index(id)]; }
 
-  /// Position of `id` in keys() and values(), added at the end if it is new.
+  /// The place of `id` in keys() and values(), added at the end if it is new.
   std::size_t index(LatticeId id) {
     if (2 * (keys_.size() + 1) > slots_.size()) grow();
     const std::size_t s = slot(id);

@@ -1,6 +1,7 @@
-// Formats by extension. Why not CGAL's readers (5.5.1, tried on the files of the tests): they
-// report false instead of a line and a reason, accept NaN in binary PLY and STL, indices out of
-// range in PLY and bytes after the last element, and refuse OBJ with weights or joined lines.
+// Formats are found by extension. CGAL's readers (5.5.1, tried on the files of the tests) will not
+// do: they report false instead of a line and a reason, accept NaN in binary PLY and STL, indices
+// out of range in PLY and bytes after the last element, and refuse OBJ with weights or joined
+// lines.
 #include "kernel/formats/mesh_io.h"
 
 #include <algorithm>
@@ -25,7 +26,7 @@ constexpr Format kFormats[] = {{kMeshExtensions[0], parse_ply, format_ply},
                                {kMeshExtensions[3], parse_stl, format_stl}};
 static_assert(std::size(kFormats) == std::size(kMeshExtensions));
 
-/// In lower case.
+/// The extension in lower case.
 std::string extension_of(const std::filesystem::path& path) {
   std::string extension = path.extension().string();
   std::transform(extension.begin(), extension.end(), extension.begin(), [](char c) {

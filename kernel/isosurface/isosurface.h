@@ -8,14 +8,14 @@
 
 namespace suture {
 
-/// Negative inside the material.
+/// A function of space that is negative inside the material.
 using ScalarField = std::function<double(const Point&)>;
 
-/// The surface where `field` is zero, on cubes of side `cell` each cut into six tetrahedra (Kuhn).
-/// A vertex lies on a tetrahedron's edge, at the zero there, so pieces of different tetrahedra
-/// never meet but in common edges. A node with the value 0 counts as outside.
+/// The surface where `field` is zero, on cubes of side `cell` that are each cut into six tetrahedra
+/// [Kuhn 1960]. Vertices lie on edges of the tetrahedra, at the zeros there, so that pieces of
+/// different tetrahedra only ever meet in common edges. A node with the value 0 counts as outside.
 /// \pre `field` is positive on and outside the box's border
-/// \throw InvalidInput if it is not, or the box takes more than 2³¹ nodes
+/// \throw InvalidInput if it is not, or if the box takes 2³¹ nodes or more
 Triangles isosurface(const ScalarField& field, const Box& box, double cell);
 
 }  // namespace suture

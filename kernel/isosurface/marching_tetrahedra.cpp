@@ -1,4 +1,4 @@
-// Marching tetrahedra, cube by cube, on values at nodes: closed, manifold, embedded [Kuhn 1960].
+// The six tetrahedra of a cube share its diagonal, so that those of neighbouring cubes match.
 #include "kernel/isosurface/marching_tetrahedra.h"
 
 #include <algorithm>

@@ -1,5 +1,5 @@
-// Volume, area, angles and components; lengths are scaled before they are squared, so that no
-// surface is too large or too small for them.
+// Sums are in extended precision, and lengths are scaled before they are squared, so that no
+// surface is too large or too small.
 #include "kernel/measure/measures.h"
 
 #include <Eigen/Geometry>
@@ -17,7 +17,7 @@ namespace {
 
 constexpr double kDegrees = 57.295779513082320877;
 
-using Exact = Eigen::Matrix<long double, 3, 1>;  // 11 more bits, and an exponent that never ends
+using Exact = Eigen::Matrix<long double, 3, 1>;  // 11 more bits and a far larger exponent
 
 Exact centre(const Triangles& surface) {
   const Box box = bounding_box(surface.positions);
@@ -40,7 +40,7 @@ void for_each_edge(const Triangles& surface, F f) {
   }
 }
 
-// The angle at a of the triangle (a, b, c), degrees, by the tangent of its half: accurate for the
+// The angle at a of the triangle (a, b, c) in degrees, by its sine and cosine: accurate for the
 // smallest and the largest angles alike.
 double angle(const Point& a, const Point& b, const Point& c) {
   const Point u = b - a, v = c - a;
