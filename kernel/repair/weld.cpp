@@ -1,4 +1,5 @@
-// Open addressing over the bits of the coordinates; only ever asked, never iterated.
+// Open addressing over the bits of the coordinates. The table is never iterated, so that the result
+// does not depend on the hash.
 #include "kernel/repair/weld.h"
 
 #include <bit>

@@ -10,7 +10,7 @@
 #include "kernel/audit.h"
 #include "kernel/errors.h"
 #include "kernel/measure/measures.h"
-#include "kernel/repair/orientation.h"
+#include "kernel/repair/inside_out.h"
 #include "tests/paths.h"
 
 using namespace suture;
