@@ -14,17 +14,17 @@ struct IndexRange {
   std::size_t begin, end;
 };
 
-/// Calls body(range) once for each block of `grain` indices of 0 … count − 1, the last block may be
-/// shorter; the blocks are the same at any number of threads, their order is not. Bodies may run at
-/// once and may call this again; each sees the caller's rounding mode and treatment of subnormals.
-/// The library's threads are oneTBB's; built without it, the caller runs the blocks in order.
-/// \pre grain > 0, and no body writes what another reads or writes
-/// \throw what a body throws: of several, that of the lowest block, as if they ran in order
+/// Calls body(range) once for each block of `grain` indices of 0 … count − 1; the last block may be
+/// shorter. The blocks are the same at any number of threads, but their order is not. Bodies may
+/// run at once and may call this again. Each sees the caller's rounding mode and treatment of
+/// subnormals. The threads are oneTBB's; without it the caller runs the blocks in order. \pre grain
+/// > 0, and no body writes where another reads or writes \throw the exception that a body throws:
+/// of several that of the lowest block, as in order
 void parallel_blocks(std::size_t count, std::size_t grain,
                      const std::function<void(IndexRange)>& body);
 
 /// Calls f(i) once for each i of 0 … count − 1, `grain` neighbours at a time on one thread.
-/// \pre, \throw as parallel_blocks
+/// The conditions of parallel_blocks hold.
 template <class F>
 void parallel_for(std::size_t count, F f, std::size_t grain = 1) {
   parallel_blocks(count, grain, [&](IndexRange range) {
@@ -32,12 +32,13 @@ void parallel_for(std::size_t count, F f, std::size_t grain = 1) {
   });
 }
 
-/// So many terms of a parallel sum or maximum are taken on one thread, in order.
+/// The number of terms of a parallel sum that one thread adds up, in order.
 inline constexpr std::size_t kTermsABlock = 1024;
 
-/// The sum of f(i) over 0 … count − 1: each block of kTermsABlock terms is summed from the lowest
-/// index up, and then the blocks' sums are, so that the bits are the same at any number of threads.
-/// A sum of one block has the bits of a plain loop. \pre, \throw as parallel_blocks
+/// The sum of f(i) over 0 … count − 1. Each block of kTermsABlock terms is added up from the lowest
+/// index, and then the sums of the blocks are, so that the bits are the same at any number of
+/// threads. A sum of one block has the bits of a plain loop. The conditions of parallel_blocks
+/// hold.
 template <class F>
 double parallel_sum(std::size_t count, F f) {
   std::vector<double> sums((count + kTermsABlock - 1) / kTermsABlock, 0.0);
@@ -51,8 +52,8 @@ double parallel_sum(std::size_t count, F f) {
   return total;
 }
 
-/// The largest of `least` and all f(i) over 0 … count − 1; NaN is skipped. `grain` terms are taken
-/// on one thread. \pre, \throw as parallel_blocks
+/// The largest of `least` and all f(i) over 0 … count − 1; NaN is passed over. A thread takes
+/// `grain` terms at a time. The conditions of parallel_blocks hold.
 template <class F>
 double parallel_max(std::size_t count, double least, F f, std::size_t grain = kTermsABlock) {
   std::vector<double> largest((count + grain - 1) / grain, least);
@@ -64,11 +65,12 @@ double parallel_max(std::size_t count, double least, F f, std::size_t grain = kT
   return least;
 }
 
-/// How many threads a loop started here may use; 1 without oneTBB.
+/// The number of threads that a loop started here may use; 1 without oneTBB.
 int thread_count();
 
-/// While it lives, loops of this process use at most so many threads, those that other libraries
-/// start through oneTBB too; more than there are cores is allowed. The least of several counts.
+/// Limits the threads of all loops in this process while it lives, also of those that other
+/// libraries run on oneTBB. More threads than cores may be asked for; of several limits the least
+/// holds.
 class ThreadLimit {
  public:
   /// \throw InvalidInput if threads < 1

@@ -10,12 +10,12 @@ namespace suture {
 
 namespace {
 
-// One element in words, for messages.
+// The name of one element for messages.
 std::string nth(const PlyElement& element, std::int64_t i) {
   return in_quotes(element.name) + " " + std::to_string(i) + " of " + std::to_string(element.count);
 }
 
-// Values of a text body: an element is a line.
+// The values of a text body, in which an element is a line.
 class TextValues {
  public:
   explicit TextValues(TextLines& text) : text_(text) {}
@@ -46,7 +46,7 @@ class TextValues {
   TextLines& text_;
 };
 
-// Values of a binary body.
+// The values of a binary body.
 class BinaryValues {
  public:
   BinaryValues(std::string_view bytes, std::endian order, std::string file)

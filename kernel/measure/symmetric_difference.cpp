@@ -41,7 +41,7 @@ struct Cut {
   int surface, step;  ///< the winding changes by `step` along the line
 };
 
-/// Where the triangles of one surface cut the lines of a grid.
+/// Cuts the lines of a grid by the triangles of one surface.
 struct Cutter {
   const Triangles& s;
   const Grid& g;

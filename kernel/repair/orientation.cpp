@@ -70,7 +70,7 @@ Walk walk(const Neighbourhood& all, std::uint32_t start, std::vector<std::int8_t
 
 TurnedTriangles orient_consistently(Triangles& surface) {
   const Neighbourhood all(surface);
-  std::vector<std::int8_t> turn(surface.triangles.size(), -1);  // -1: not yet met
+  std::vector<std::int8_t> turn(surface.triangles.size(), -1);  // -1 until it is met
   TurnedTriangles result;
   for (std::size_t i = 0; i < turn.size(); ++i) {
     if (turn[i] >= 0 || !usable(surface.triangles[i], surface.positions.size())) continue;

@@ -40,7 +40,7 @@ class CapsuleUnion {
   double round_;
 };
 
-/// Where a union's surface is, and how large it is made.
+/// The place of a union's surface, and its size in the scene.
 struct SkinOptions {
   Box box;  ///< in the union's own unit; the surface reaches at most 0.06 out of it
   Point centre = Point::Zero();
@@ -162,13 +162,13 @@ Triangles animal(const AnimalParameters& p) {
   require_range("animal: leg_radius", p.leg_radius, {0.02, 0.06, "0.02 to 0.06 of its length"});
   require_resolution("animal", 3 * p.length * p.length, p.edge_length);
   require_thin_edges("animal", p.edge_length, {"legs", p.leg_radius * p.length, 0.6});
-  constexpr double kRound = 0.05;  // lengths; how far limbs flow into each other
+  constexpr double kRound = 0.05;  // in lengths of the animal
   const Box box{Point(-0.8, -0.05, -0.25), Point(1.0, 1.3, 0.25)};
   return skin(CapsuleUnion(limbs(p.leg_radius), kRound), {box, p.centre, p.length, p.edge_length});
 }
 
 Triangles hand(const HandParameters& p) {
-  constexpr double kRound = 0.04;  // lengths; how far bones flow into each other
+  constexpr double kRound = 0.04;  // in lengths of the hand
   require_positive("hand: length", p.length);
   require_range("hand: finger_radius", p.finger_radius,
                 {0.025, 0.05, "0.025 to 0.05 of its length"});

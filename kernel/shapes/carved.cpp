@@ -75,7 +75,7 @@ class Ornament {
     return kPetal * (1 + r.wave * std::cos(r.petals * around + r.phase));
   }
 
-  // Flat for half of the groove's half width, then a smooth wall up to its full one.
+  // A groove is flat for half of its half width, and a smooth wall rises over the other half.
   double groove(double away) const {
     const double t = std::clamp(2 - 2 * away / half_, 0.0, 1.0);
     return t * t * (3 - 2 * t);

@@ -47,9 +47,10 @@ class DumbbellProfile {
   }
 
  private:
-  static constexpr double kGrowth = 0.25;  // of the edges, per length away from the neck
+  static constexpr double kGrowth = 0.25;  // of edges, in lengths per length away from the neck
 
-  // Along the neck, its fillet, then the ball, by arc length from the middle of the neck.
+  // The circle at the arc length s from the middle of the neck: on the neck, its fillet or the
+  // ball.
   Circle circle_at(double s) const {
     Circle c;
     const double fillet = turn_ * p_.fillet;

@@ -91,9 +91,7 @@ std::vector<Row> read_csv(const std::filesystem::path& file) {
   return rows;
 }
 
-std::string fingerprint(std::string_view bytes) {
-  return fmt::format("{:016x}", fnv1a(bytes));
-}
+std::string fingerprint(std::string_view bytes) { return fmt::format("{:016x}", fnv1a(bytes)); }
 
 std::string fingerprint(const Triangles& surface) {
   const auto bytes = [](const auto& list) {
