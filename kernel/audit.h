@@ -37,7 +37,7 @@ struct Audit {
 Audit audit(const Triangles& surface);
 
 /// \throw InvalidInput, naming every fault with its count and first place and what to do
-/// (`--repair` where that can help), unless the surface is a closed oriented manifold with at least
+/// (a repair where that can help), unless the surface is a closed oriented manifold with at least
 /// one triangle
 void require_closed_manifold(const Triangles& surface, const std::string& name);
 
