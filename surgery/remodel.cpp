@@ -20,7 +20,7 @@
 #include "surgery/detect/region.h"
 #include "surgery/model/jitter.h"
 #include "surgery/model/tracker_lattice.h"
-#include "surgery/operate/coincident.h"
+#include "surgery/detect/coincident.h"
 #include "surgery/operate/cut.h"
 #include "surgery/operate/fill.h"
 #include "surgery/operate/placement.h"

@@ -1,6 +1,6 @@
 // Components are compared as sets of coordinate triangles, by a sum of hashes first and exactly
 // then.
-#include "surgery/operate/coincident.h"
+#include "surgery/detect/coincident.h"
 
 #include <algorithm>
 #include <bit>
