@@ -1,4 +1,4 @@
-// The tracker's state, and what each call promises to leave behind [§3].
+// The tracker's state, and the checks before each call and after it [§3].
 #include "surgery/tracker.h"
 
 #include <cmath>
@@ -9,8 +9,7 @@
 #include "kernel/audit.h"
 #include "kernel/errors.h"
 #include "predicates/floating_point.h"
-#include "surgery/advect.h"
-#include "surgery/detect/budget.h"
+#include "surgery/detect/crossings.h"
 #include "surgery/model/tracker_lattice.h"
 #include "surgery/model/unit.h"
 #include "surgery/quality/improve.h"
@@ -58,16 +57,16 @@ std::vector<std::uint32_t> identity(std::size_t n) {
 
 /// A remodel in the unit that suits the cells, or in the scene's own where a new vertex would have
 /// a coordinate that doubles cannot hold there: one next to a plane at 0 may be subnormal.
-SurgeryReport remodel_in_unit(Surface& surface, const TrackerOptions& options, const Oracle& oracle,
-                              Trace* trace) {
-  const int unit = unit_exponent(options);
-  if (unit == 0) return remodel(surface, options, oracle, trace);
+SurgeryReport remodel_in_unit(Surface& surface, const Setup& setup) {
+  const int unit = unit_exponent(setup.options);
+  if (unit == 0) return remodel(surface, setup);
   Surface work = surface;
   multiply(work, -unit);
-  SurgeryReport report = remodel(work, times_power(options, -unit), oracle, trace);
+  const TrackerOptions options = times_power(setup.options, -unit);
+  SurgeryReport report = remodel(work, {options, setup.oracle, setup.trace});
   multiply(report, unit);
   if (report.outcome != Outcome::committed) return report;
-  if (!multiply(work, unit)) return remodel(surface, options, oracle, trace);
+  if (!multiply(work, unit)) return remodel(surface, setup);
   surface = std::move(work);
   return report;
 }
@@ -78,8 +77,8 @@ struct Improved {
 };
 
 /// The same for an improvement. \return nothing where `unit` cannot hold the result
-std::optional<Improved> improve_in_unit(const Surface& surface, const TrackerOptions& options,
-                                        const Oracle& oracle, int unit) {
+std::optional<Improved> improve_in_unit(const Surface& surface, const Setup& setup, int unit) {
+  const TrackerOptions& options = setup.options;
   QualityOptions quality = options.quality;
   if (quality.edge_length == 0) quality.edge_length = options.cell_size;
   quality.edge_length = std::ldexp(quality.edge_length, -unit);
@@ -87,7 +86,8 @@ std::optional<Improved> improve_in_unit(const Surface& surface, const TrackerOpt
   Surface work = surface;
   multiply(work, -unit);
   const Lattice lattice = tracker_lattice(work.triangles.positions, times_power(options, -unit));
-  QualityReport report = improve(work.mesh, quality, &lattice, &oracle);
+  const ShiftedLattice nodes{lattice, setup.oracle};
+  QualityReport report = improve(work.mesh, quality, &nodes);
   multiply(report, unit);
   if (!multiply(work.mesh, unit)) return std::nullopt;
   return Improved{std::move(work.mesh), std::move(report)};
@@ -122,7 +122,7 @@ const TrackerOptions& Tracker::options() const { return state_->options; }
 double Tracker::time() const { return state_->time; }
 
 void Tracker::advect(const VelocityField& u, double dt) {
-  displace(advected(surface().positions, u, state_->time, dt), dt);
+  displace(advected(surface().positions, u, {state_->time, dt}), dt);
 }
 
 void Tracker::displace(std::vector<Point> positions, double dt) {
@@ -146,7 +146,7 @@ SurfaceDistance Tracker::distance() const { return SurfaceDistance(surface(), st
 
 SurgeryReport Tracker::remodel(Trace* trace) {
   require_ieee_arithmetic();  // of this thread, which need not be the one that made the tracker
-  return remodel_in_unit(state_->surface, state_->options, *state_->oracle, trace);
+  return remodel_in_unit(state_->surface, {state_->options, *state_->oracle, trace});
 }
 
 QualityReport Tracker::improve(Trace* trace) {
@@ -154,8 +154,9 @@ QualityReport Tracker::improve(Trace* trace) {
   require_ieee_arithmetic();
   Stopwatch watch;
   const State& was = *state_;
-  auto found = improve_in_unit(was.surface, was.options, *was.oracle, unit_exponent(was.options));
-  if (!found) found = improve_in_unit(was.surface, was.options, *was.oracle, 0);
+  const Setup setup{was.options, *was.oracle};
+  auto found = improve_in_unit(was.surface, setup, unit_exponent(was.options));
+  if (!found) found = improve_in_unit(was.surface, setup, 0);
   QualityReport& report = found->report;
   if (report.subdivisions + report.collapses.done + report.flips + report.flattened == 0) {
     report.vertex_map = identity(surface().positions.size());  // what was tried has renumbered it

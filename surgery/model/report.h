@@ -1,4 +1,4 @@
-// What one remodel or one improvement did: returned, never printed.
+// The report of one remodel or one improvement: returned, never printed.
 #pragma once
 
 #include <cstdint>
