@@ -193,20 +193,20 @@ std::vector<std::string> sentences(const Audit& a, const Places& p) {
       {a.indices_out_of_range, "vertex index is out of range", "vertex indices are out of range",
        p.range, "the mesh is incomplete; export it again"},
       {a.degenerate_triangles, "triangle uses a vertex twice", "triangles use a vertex twice",
-       p.degenerate, "repair drops such triangles"},
+       p.degenerate, "a repair drops such triangles"},
       {a.duplicate_triangles, "triangle repeats another", "triangles repeat others", p.duplicate,
-       "repair drops repeated triangles"},
+       "a repair drops repeated triangles"},
       {a.border_edges, "border edge: the surface is open", "border edges: the surface is open",
        p.border,
-       "fill the holes first; repair welds equal points, which closes the mesh where its "
+       "fill the holes first; a repair welds equal points, which closes the mesh where its "
        "triangles merely do not share vertices"},
       {a.non_manifold_edges, "edge has three triangles or more",
        "edges have three triangles or more", p.edge, "separate the surfaces that meet there"},
       {a.misoriented_edges, "edge has two triangles that face opposite ways",
        "edges have two triangles that face opposite ways", p.misoriented,
-       "repair orients what can be oriented"},
+       "a repair orients what can be oriented"},
       {a.non_manifold_vertices, "vertex joins more than one fan of triangles",
-       "vertices join more than one fan of triangles", p.vertex, "repair splits such vertices"}};
+       "vertices join more than one fan of triangles", p.vertex, "a repair splits such vertices"}};
   std::vector<std::string> out;
   for (const Row& r : rows)
     if (r.count > 0)

@@ -18,7 +18,7 @@ namespace suture {
 
 namespace {
 
-/// How far below a the plane of abc passes, as a fraction: N·(through−a) / N_axis over the two
+/// The way from a down to the plane of abc, as a fraction: N·(through−a) / N_axis over the two
 /// other axes, s = b−a and t = c−a, for balls and whole numbers alike; the axes are in cyclic order
 /// from the one wanted.
 template <class Number>

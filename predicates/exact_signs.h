@@ -1,4 +1,4 @@
-// Exact signs without any shift, for where a floating-point filter could not decide.
+// Exact signs without any shift, for questions that a floating-point filter could not decide.
 #pragma once
 
 #include "kernel/triangles.h"

@@ -1,4 +1,4 @@
-// What the filters take for granted of the processor, looked at as it computes.
+// The processor is looked at as it computes, since both settings are a thread's own.
 #include "predicates/floating_point.h"
 
 #include <cfloat>

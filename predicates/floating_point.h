@@ -1,4 +1,4 @@
-// What the filters take for granted of the processor.
+// The processor must round to nearest and keep subnormals: the filters take that for granted.
 #pragma once
 
 namespace suture {

@@ -1,4 +1,4 @@
-// Which oracle an arithmetic means.
+// Each arithmetic has its oracle.
 #include "predicates/oracle.h"
 
 #include "kernel/errors.h"

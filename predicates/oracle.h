@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <utility>
 
 #include "kernel/triangles.h"
 
@@ -15,9 +16,27 @@ enum class Arithmetic {
   rational   ///< exact and slow: the independent twin
 };
 
-/// How often each decision was asked, and how often its floating-point filter could not decide.
+/// Counts of each decision asked for, and of those that a floating-point filter could not decide.
 struct OracleCounts {
   std::uint64_t edge_side = 0, triangle_side = 0, orientation = 0, filter_failures = 0;
+};
+
+/// Counts the questions that this thread puts to oracles while the tally stands. Tallies of a
+/// thread nest: only the innermost counts. Each thread has its own, so that oracles hold no counts.
+class OracleTally {
+ public:
+  OracleTally() : outer_(std::exchange(asked_, {})) {}
+  ~OracleTally() { asked_ = outer_; }
+  OracleTally(const OracleTally&) = delete;
+  OracleTally& operator=(const OracleTally&) = delete;
+
+  /// The questions so far. \pre no other tally of this thread stands that was made later
+  static const OracleCounts& counts() { return asked_; }
+
+ private:
+  friend class Oracle;
+  static inline constinit thread_local OracleCounts asked_{};
+  OracleCounts outer_;
 };
 
 /// A line of the lattice seen along its own axis: the point (u + ε_u, v + ε_v) of the plane of two
@@ -29,8 +48,9 @@ struct LatticePoint2 {
 
 /// Signs, exact unless a backend says otherwise. The lattice stands at (ε₀, ε₁, ε₂) from where its
 /// doubles say, ε₀ ≫ ε₁ ≫ ε₂ > 0 (Simulation of Simplicity), axis 0 shifted most; mesh points stay.
-/// Only mesh vertices' doubles and lattice planes are ever passed, never a constructed point's
-/// exact self. All finite doubles will do, subnormal ones and those whose differences overflow too.
+/// Callers pass only mesh vertices' doubles and lattice planes, never a constructed point's exact
+/// self. All finite doubles will do, subnormal ones and those whose differences overflow too.
+/// An oracle does not change, so that threads may share one.
 /// \pre every coordinate is finite, which Tracker and Lattice see to
 class Oracle {
  public:
@@ -49,23 +69,22 @@ class Oracle {
   /// Sign of N·(d−a), N = (b−a)×(c−a): no shift, 0 where the four are coplanar.
   virtual int orientation(const Point& a, const Point& b, const Point& c, const Point& d) const = 0;
 
-  const OracleCounts& counts() const { return counts_; }
-  void reset_counts() { counts_ = {}; }
-
  protected:
-  mutable OracleCounts counts_;
+  /// The innermost tally of this thread, to count a question in.
+  static OracleCounts& asked() { return OracleTally::asked_; }
 };
 
-/// The rounded value of each determinant, believed: a computed zero is answered as 0 (on neither
-/// side), and nothing is shifted. Never asked for more, so its cost is the least there is.
+/// Answers the sign of each determinant's rounded value: a computed zero is answered as 0 (on
+/// neither side), and nothing is shifted. Its cost is the least there is.
 std::unique_ptr<Oracle> make_rounded_oracle();
 
-/// Floating-point filter with a proven error bound, exact where it cannot decide. The default.
+/// Answers by a floating-point filter with a proven error bound, and exactly where that cannot
+/// decide. The default.
 /// \throw InvalidInput if this thread rounds other than to nearest or flushes subnormal numbers
 std::unique_ptr<Oracle> make_filtered_oracle();
 
-/// GMP rationals with concrete shifts 2^-6000, 2^-12000, 2^-18000 in place of symbols: slow, and
-/// shares no code with the filtered one.
+/// Answers by GMP's whole numbers with concrete shifts 2^-6000, 2^-12000, 2^-18000 in place of
+/// symbols: slow, and shares no code with the filtered one.
 std::unique_ptr<Oracle> make_rational_oracle();
 
 std::unique_ptr<Oracle> make_oracle(Arithmetic arithmetic);

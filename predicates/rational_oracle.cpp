@@ -53,7 +53,7 @@ int sign_of_dot(const Exact3& x, const Exact3& y) {
 class RationalOracle final : public Oracle {
  public:
   int edge_side(const Point& p, const Point& q, const LatticePoint2& at) const override {
-    ++counts_.edge_side;
+    ++asked().edge_side;
     const int i = at.u_axis, j = at.v_axis;
     const int grid = grid_exponent({p[i], p[j], q[i], q[j], at.u, at.v});
     const mpz_class along_u = on_grid(q[i], grid) - on_grid(p[i], grid);
@@ -65,7 +65,7 @@ class RationalOracle final : public Oracle {
 
   int triangle_side(const Point& a, const Point& b, const Point& c,
                     const Point& node) const override {
-    ++counts_.triangle_side;
+    ++asked().triangle_side;
     const int grid = grid_of(a, b, c, node);
     Exact3 to_node;
     for (int i = 0; i < 3; ++i) to_node[i] = shifted_difference(node[i], a[i], i, grid);
@@ -73,7 +73,7 @@ class RationalOracle final : public Oracle {
   }
 
   int orientation(const Point& a, const Point& b, const Point& c, const Point& d) const override {
-    ++counts_.orientation;
+    ++asked().orientation;
     const int grid = grid_of(a, b, c, d);
     return sign_of_dot(normal(a, b, c, grid), difference(d, a, grid));
   }

@@ -1,4 +1,5 @@
-// Plain doubles, believed as they come: what the paper's authors had before they jittered [§5.3].
+// Plain doubles, believed as they come, as the paper's authors had them before they jittered
+// [§5.3].
 #include "predicates/oracle.h"
 
 namespace suture {
@@ -10,19 +11,19 @@ int sign_of(double x) { return (x > 0) - (x < 0); }
 class RoundedOracle final : public Oracle {
  public:
   int edge_side(const Point& p, const Point& q, const LatticePoint2& at) const override {
-    ++counts_.edge_side;
+    ++asked().edge_side;
     const int u = at.u_axis, v = at.v_axis;
     return sign_of((q[u] - p[u]) * (at.v - p[v]) - (q[v] - p[v]) * (at.u - p[u]));
   }
 
   int triangle_side(const Point& a, const Point& b, const Point& c,
                     const Point& node) const override {
-    ++counts_.triangle_side;
+    ++asked().triangle_side;
     return side(a, b, c, node);
   }
 
   int orientation(const Point& a, const Point& b, const Point& c, const Point& d) const override {
-    ++counts_.orientation;
+    ++asked().orientation;
     return side(a, b, c, d);
   }
 

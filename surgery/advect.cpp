@@ -3,8 +3,9 @@
 
 namespace suture::surgery {
 
-std::vector<Point> advected(const std::vector<Point>& positions, const VelocityField& u, double t,
-                            double dt) {
+std::vector<Point> advected(const std::vector<Point>& positions, const VelocityField& u,
+                            const TimeStep& step) {
+  const auto [t, dt] = step;
   std::vector<Point> moved;
   moved.reserve(positions.size());
   for (const Point& x : positions) {

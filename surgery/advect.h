@@ -1,12 +1,27 @@
 // The Lagrangian update: vertices carried through a velocity field by RK4 [§4].
 #pragma once
 
-#include "surgery/tracker.h"
+#include <functional>
+#include <vector>
 
-namespace suture::surgery {
+#include "kernel/triangles.h"
 
-/// Positions after one step of the classic Runge–Kutta method of order 4 from t to t + dt.
-std::vector<Point> advected(const std::vector<Point>& positions, const VelocityField& u, double t,
-                            double dt);
+namespace suture {
 
-}  // namespace suture::surgery
+/// u(x, t): velocity at a point and a time, in the scene's units.
+using VelocityField = std::function<Point(const Point&, double)>;
+
+namespace surgery {
+
+/// A step of time from `start` to start + length.
+struct TimeStep {
+  double start, length;
+};
+
+/// Positions after one step of the classic Runge–Kutta method of order 4.
+std::vector<Point> advected(const std::vector<Point>& positions, const VelocityField& u,
+                            const TimeStep& step);
+
+}  // namespace surgery
+
+}  // namespace suture

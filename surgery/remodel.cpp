@@ -5,22 +5,21 @@
 
 #include <cmath>
 #include <numbers>
+#include <optional>
 
 #include "kernel/audit.h"
 #include "kernel/errors.h"
 #include "kernel/lists.h"
 #include "kernel/measure/measures.h"
-#include "surgery/collapse/local_change.h"
 #include "surgery/collapse/paper_order.h"
 #include "surgery/collapse/straighten.h"
-#include "surgery/detect/budget.h"
+#include "surgery/detect/coincident.h"
 #include "surgery/detect/complex_cells.h"
 #include "surgery/detect/deep_cells.h"
+#include "surgery/detect/distance_field.h"
 #include "surgery/detect/invariance.h"
 #include "surgery/detect/region.h"
 #include "surgery/model/jitter.h"
-#include "surgery/model/tracker_lattice.h"
-#include "surgery/operate/coincident.h"
 #include "surgery/operate/cut.h"
 #include "surgery/operate/fill.h"
 #include "surgery/operate/placement.h"
@@ -46,14 +45,28 @@ class StageClock {
   Stopwatch watch_;
 };
 
-/// What detection found; everything that cut and fill read.
-struct Detected {
+/// One remodel of one surface, as all its steps see it.
+struct Pass {
+  Surface& surface;  ///< changed by a commit only
+  const TrackerOptions& options;
+  const Oracle& oracle;
+  SurgeryReport& report;
+  StageClock& clock;
+};
+
+/// The findings of detection with all that they refer to.
+struct Findings {
   Incidence mesh;
   Lattice lattice;
   Crossings crossings;
   Winding winding;
   CellSet cells;
   Region region;
+
+  /// The findings for those that operate, who ask `oracle`.
+  Detected seen_by(const Oracle& oracle) const {
+    return {mesh, {lattice, oracle}, crossings, winding, region};
+  }
 };
 
 /// Triangles that touch a cell of the region or one beside it: all that D near the region can need.
@@ -66,12 +79,13 @@ std::vector<std::uint32_t> triangles_near(const Detected& d) {
   std::vector<std::uint32_t> triangles;
   for (std::uint32_t t = 0; t < d.mesh.triangles.size(); ++t) {
     bool touches = false;
-    for_each_cell(d.mesh, d.crossings, t, [&](LatticeId cell) { touches |= near.contains(cell); });
+    for_each_cell(d.crossed(), t, [&](LatticeId cell) { touches |= near.contains(cell); });
     if (touches) triangles.push_back(t);
   }
   return triangles;
 }
 
+/// A surface after surgery that no audit has seen yet.
 struct Candidate {
   Mesh mesh;
   Origins origins;
@@ -79,21 +93,16 @@ struct Candidate {
 };
 
 /// Adds the sites of the fill to those of the cut and places them. \return all arcs of the region
-std::vector<Arc> place_fill(std::vector<Arc> boundary, const Surface& surface, const Detected& d,
-                            Placement placement, Sites& sites) {
-  std::vector<Arc> arcs = gather_arcs(std::move(boundary), d.region, d.winding, sites);
-  const DistanceField distance(
-      surface.triangles, d.lattice, d.winding,
-      placement == Placement::distance_field ? triangles_near(d) : std::vector<std::uint32_t>{});
-  place_isosurface(placement, d.crossings, d.winding, d.lattice, distance, sites);
+std::vector<Arc> place_fill(std::vector<Arc> boundary, Sites& sites, const Pass& pass) {
+  std::vector<Arc> arcs = gather_arcs(std::move(boundary), sites);
+  const Detected& d = sites.detected();
+  DistanceField distance(pass.surface.triangles, d.on.lattice, d.winding);
+  if (pass.options.placement == Placement::distance_field) distance.search_first(triangles_near(d));
+  place_isosurface(pass.options.placement, distance, sites);
   return arcs;
 }
 
-void report_surgery(const CutMesh& cut, const Patch& patch, const StitchedVertices& made,
-                    SurgeryReport& report) {
-  report.type1_vertices = made.type1.size();
-  report.type2_vertices = made.type2.size();
-  report.isosurface_vertices = made.isosurface.size();
+void count_triangles(const CutMesh& cut, const Patch& patch, SurgeryReport& report) {
   report.centroid_vertices = patch.centroids;
   report.loops = patch.loops;
   report.triangles_removed = cut.touched.size();
@@ -101,79 +110,81 @@ void report_surgery(const CutMesh& cut, const Patch& patch, const StitchedVertic
   report.split_triangles = cut.split_triangles;
 }
 
+void count_vertices(const StitchedVertices& made, SurgeryReport& report) {
+  report.type1_vertices = made.type1.size();
+  report.type2_vertices = made.type2.size();
+  report.isosurface_vertices = made.isosurface.size();
+}
+
 /// Cut, fill, stitch and collapse on a copy of the mesh, in the order that the options choose.
-Candidate operate(const Surface& surface, const Detected& d, Pieces pieces,
-                  const TrackerOptions& options, const Oracle& oracle, SurgeryReport& report,
-                  StageClock& clock) {
-  const bool paper = options.collapse == Collapse::paper;
-  const CollapseRules rules{&d.lattice, &oracle,
-                            std::cos(options.straighten_turn * std::numbers::pi / 180)};
-  Sites sites(d.mesh, d.lattice, d.crossings, d.winding, d.region, options.arithmetic);
-  CutMesh cut_mesh = cut({d.mesh, d.lattice, oracle, d.crossings, d.region},
-                         {pieces, paper ? Inside::made : Inside::dropped}, sites);
-  clock.ended("cut");
-  Candidate result{surface.mesh, {}, {}};
+Candidate operate(const Findings& found, Pieces pieces, const Pass& pass) {
+  const Detected d = found.seen_by(pass.oracle);
+  const bool paper = pass.options.collapse == Collapse::paper;
+  const CollapseRules rules{&d.on, std::cos(pass.options.straighten_turn * std::numbers::pi / 180)};
+  Sites sites(d, pass.options.arithmetic);
+  CutMesh cut_mesh = cut({pieces, paper ? Inside::made : Inside::dropped}, sites);
+  pass.clock.ended("cut");
+  Candidate result{pass.surface.mesh, {}, {}};
   result.origins = track_origins(result.mesh);
   Sewing sewing(result.mesh, sites, result.origins);
   if (paper) {
-    OpenedMesh opened = open_in_paper_order(result.mesh, cut_mesh, sites, sewing, rules);
-    clock.ended("collapse");
-    add_to(report.collapses, opened.collapses);
-    report.bent_arcs += opened.bent_arcs;
+    OpenedMesh opened = open_in_paper_order(cut_mesh, sewing, rules);
+    pass.clock.ended("collapse");
+    add_to(pass.report.collapses, opened.collapses);
+    pass.report.bent_arcs += opened.bent_arcs;
     result.gridlocked = std::move(opened.gridlocked);
     if (!result.gridlocked.empty()) return result;
     cut_mesh.boundary = std::move(opened.boundary);
   }
-  const std::vector<Arc> arcs = place_fill(cut_mesh.boundary, surface, d, options.placement, sites);
-  clock.ended("distance");
+  const std::vector<Arc> arcs = place_fill(cut_mesh.boundary, sites, pass);
+  pass.clock.ended("distance");
   const Patch patch = fill(arcs, sites);
-  clock.ended("fill");
+  pass.clock.ended("fill");
   if (paper) {
     sewing.add({&patch.triangles});
   } else {
     sewing.remove(cut_mesh.touched);
     sewing.add({&cut_mesh.kept, &patch.triangles});
   }
-  clock.ended("stitch");
-  report_surgery(cut_mesh, patch, sewing.made(), report);
-  if (options.collapse == Collapse::straighten) {
-    report.collapses = straighten(result.mesh, sewing.made().type2, sewing.made().type1, rules);
-    clock.ended("straighten");
+  pass.clock.ended("stitch");
+  count_triangles(cut_mesh, patch, pass.report);
+  count_vertices(sewing.made(), pass.report);
+  if (pass.options.collapse == Collapse::straighten) {
+    pass.report.collapses = straighten(result.mesh, sewing.made(), rules);
+    pass.clock.ended("straighten");
   }
-  if (!paper)
-    report.bent_arcs = bent_arcs(chains_of(cut_mesh.boundary, sites), result.mesh, sewing);
+  if (!paper) pass.report.bent_arcs = bent_arcs(chains_of(cut_mesh.boundary, sites), sewing);
   return result;
 }
 
 /// The same until nothing is gridlocked: each time the region grows by the cells across from bent
 /// arcs, and surgery starts again from the uncut mesh [§6.2]. \throw InternalFailure after too many
-Candidate operate_and_regrow(const Surface& surface, Detected& d, Pieces pieces,
-                             const TrackerOptions& options, const Oracle& oracle,
-                             SurgeryReport& report, StageClock& clock) {
+Candidate operate_and_regrow(Findings& found, Pieces pieces, const Pass& pass) {
   for (int restarts = 0;; ++restarts) {
-    Candidate candidate = operate(surface, d, pieces, options, oracle, report, clock);
+    Candidate candidate = operate(found, pieces, pass);
     if (candidate.gridlocked.empty()) return candidate;
-    if (restarts == options.most_restarts)
+    if (restarts == pass.options.most_restarts)
       throw InternalFailure("collapse", "gridlock: arcs are bent still after " +
                                             std::to_string(restarts) + " restarts");
-    std::vector<LatticeId> seeds = d.region.cells.keys();
+    std::vector<LatticeId> seeds = found.region.cells.keys();
     seeds.insert(seeds.end(), candidate.gridlocked.begin(), candidate.gridlocked.end());
-    const std::size_t before = d.region.cells.size();
-    d.region = grow_region(seeds, d.cells);
-    report.marked.gridlocked += d.region.cells.size() - before;
-    ++report.regrowths;
+    const std::size_t before = found.region.cells.size();
+    found.region = grow_region(seeds, found.cells);
+    pass.report.marked.gridlocked += found.region.cells.size() - before;
+    ++pass.report.regrowths;
   }
 }
 
 /// The region to be re-sampled; empty where topology stays as it is.
-Region detect_region(const CellSet& cells, const Winding& winding, const TrackerOptions& options,
-                     SurgeryReport& report) {
-  report.surface_cells = cells.cells.size();
-  report.complex_cells = cells.complex_count();
-  const std::vector<LatticeId> seeds = find_events(
-      cells, winding, {options.events, options.cell_test, options.depth}, report.marked);
-  Region region = grow_region(seeds, cells);
-  report.marked.flooded = region.cells.size() - seeds.size();
+Region detect_region(const CellSet& cells, const Winding& winding, const Pass& pass) {
+  const TrackerOptions& options = pass.options;
+  pass.report.surface_cells = cells.cells.size();
+  pass.report.complex_cells = cells.complex_count();
+  const EventCells seeds =
+      find_events(cells, winding, {options.events, options.cell_test, options.depth});
+  Region region = grow_region(seeds.cells, cells);
+  pass.report.marked = seeds.marked;
+  pass.report.marked.flooded = region.cells.size() - seeds.cells.size();
   return region;
 }
 
@@ -191,24 +202,38 @@ void measure_after(const Surface& surface, SurgeryReport& report) {
   report.components_after = components(surface.triangles).count;
 }
 
-/// What the audit has against a new surface; empty where it is closed, oriented, manifold and
-/// finite, and no winding outside the region has changed.
-std::string objection(const Surface& before, const Adopted& after, const Detected& d,
-                      const Oracle& oracle) {
+/// The oracle that the audit's winding test asks: an exact one even where the surgery's was not,
+/// since the new vertices lie on the lattice's planes and lines, where plain doubles fail. Null:
+/// the surgery's own will do.
+std::unique_ptr<Oracle> judge_for(const TrackerOptions& options) {
+  return options.arithmetic == Arithmetic::rounded ? make_filtered_oracle() : nullptr;
+}
+
+/// The nodes outside the region whose winding or side has changed.
+std::vector<Index3> changed_nodes(const Adopted& after, const Findings& found, const Pass& pass) {
+  const std::unique_ptr<Oracle> judge = judge_for(pass.options);
+  std::optional<OracleTally> apart;  // the judge's questions are not the surgery's
+  if (judge) apart.emplace();
+  const Triangles change = difference(pass.surface.triangles, after.surface.triangles,
+                                      {after.triangle_origin, after.vertex_map});
+  return changed_outside(change, found.seen_by(judge ? *judge : pass.oracle));
+}
+
+/// The audit's objection to a new surface; empty where it is closed, oriented, manifold and finite,
+/// and no winding outside the region has changed.
+std::string objection(const Adopted& after, const Findings& found, const Pass& pass) {
   const Audit result = audit(after.surface.triangles);
   if (!result.closed_manifold()) return "audit: " + result.first;
-  const std::vector<Index3> changed =
-      changed_outside(difference(before.triangles, after.surface.triangles, after.triangle_origin,
-                                 after.vertex_map),
-                      d.lattice, oracle, d.region, d.winding);
+  const std::vector<Index3> changed = changed_nodes(after, found, pass);
   if (changed.empty()) return {};
   // An inserted vertex is off its triangle by half a bit of each coordinate: a node that lies on
   // the surface, or within a few bits of it, may find itself on the other side.
   constexpr double kRounding = 0x1p-48;
-  const Box box = bounding_box(before.triangles.positions);
+  const Triangles& before = pass.surface.triangles;
+  const Box box = bounding_box(before.positions);
   const double reach =
       kRounding * std::max(box.low.cwiseAbs().maxCoeff(), box.high.cwiseAbs().maxCoeff());
-  const DistanceField distance(before.triangles, d.lattice, d.winding);
+  const DistanceField distance(before, found.lattice, found.winding);
   for (const Index3& node : changed)
     if (!(std::abs(distance.at(node)) <= reach))
       return "audit: the winding of node " + std::to_string(node[0]) + " " +
@@ -217,28 +242,20 @@ std::string objection(const Surface& before, const Adopted& after, const Detecte
   return {};
 }
 
-/// What the audit's winding test asks: exact even where the surgery was not, since what it judges
-/// lies on the lattice's planes and lines, where plain doubles fail. Null: the surgery's own will
-/// do.
-std::unique_ptr<Oracle> judge_for(const TrackerOptions& options) {
-  return options.arithmetic == Arithmetic::rounded ? make_filtered_oracle() : nullptr;
-}
-
 /// Merged pieces first; if the audit ever objects, once more cell by cell; then refusal.
-void attempt(Surface& surface, Detected d, const TrackerOptions& options, const Oracle& oracle,
-             SurgeryReport& report, StageClock& clock) {
-  const std::unique_ptr<Oracle> judge = judge_for(options);
+void attempt(Findings found, const Pass& pass) {
+  SurgeryReport& report = pass.report;
   for (const Pieces pieces : {Pieces::merged, Pieces::cell_by_cell}) {
     try {
-      Candidate candidate = operate_and_regrow(surface, d, pieces, options, oracle, report, clock);
+      Candidate candidate = operate_and_regrow(found, pieces, pass);
       Adopted adopted = adopt(std::move(candidate.mesh), candidate.origins);
-      adopted.vertex_map.resize(surface.triangles.positions.size(), kNone);
-      report.failure = objection(surface, adopted, d, judge ? *judge : oracle);
-      clock.ended("audit");
+      adopted.vertex_map.resize(pass.surface.triangles.positions.size(), kNone);
+      report.failure = objection(adopted, found, pass);
+      pass.clock.ended("audit");
       if (report.failure.empty()) {
-        surface = std::move(adopted.surface);
+        pass.surface = std::move(adopted.surface);
         report.vertex_map = std::move(adopted.vertex_map);
-        report.region = d.region.cells.keys();
+        report.region = found.region.cells.keys();
         report.outcome = Outcome::committed;
         return;
       }
@@ -250,26 +267,30 @@ void attempt(Surface& surface, Detected d, const TrackerOptions& options, const 
   report.outcome = Outcome::refused;
 }
 
+/// The tracker's lattice round the surface. \throw InvalidInput if their crossings would not fit
+Lattice fitting_lattice(const Pass& pass) {
+  Lattice lattice = tracker_lattice(pass.surface.triangles.positions, pass.options);
+  require_crossings_fit(pass.surface.triangles, lattice);
+  return lattice;
+}
+
 /// Detection and, where it finds an event, surgery. \pre not empty
-void detect_and_operate(Surface& surface, const TrackerOptions& options, const Oracle& oracle,
-                        SurgeryReport& report, StageClock& clock) {
-  Incidence mesh = incidence(surface.triangles);
-  Lattice lattice = tracker_lattice(surface.triangles.positions, options);
-  require_crossings_fit(surface.triangles, lattice);
-  clock.ended("incidence");
-  Crossings crossings = find_crossings(mesh, lattice, oracle);
-  report.crossings = crossings.size();
-  clock.ended("crossings");
+void detect_and_operate(const Pass& pass) {
+  Incidence mesh = incidence(pass.surface.triangles);
+  Lattice lattice = fitting_lattice(pass);
+  pass.clock.ended("incidence");
+  Crossings crossings = find_crossings(mesh, {lattice, pass.oracle});
+  pass.report.crossings = crossings.size();
+  pass.clock.ended("crossings");
   Winding winding(crossings);
-  clock.ended("winding");
+  pass.clock.ended("winding");
   CellSet cells = find_complex_cells(crossings, winding);
-  Region region = detect_region(cells, winding, options, report);
-  clock.ended("detection");
+  Region region = detect_region(cells, winding, pass);
+  pass.clock.ended("detection");
   if (region.empty()) return;
-  attempt(surface,
-          {std::move(mesh), std::move(lattice), std::move(crossings), std::move(winding),
+  attempt({std::move(mesh), std::move(lattice), std::move(crossings), std::move(winding),
            std::move(cells), std::move(region)},
-          options, oracle, report, clock);
+          pass);
 }
 
 /// The surface without some of its triangles, whole components of them. \return old vertex → new
@@ -291,24 +312,22 @@ Triangles only(const std::vector<std::uint32_t>& triangles, const Triangles& sur
   return some;
 }
 
-/// Remodels what is left once exact copies of bodies are gone, and commits both or neither. \return
-/// whether it could: not where a side depends on how many copies there are
-bool operate_on_one_of_each(Surface& surface, const std::vector<std::uint32_t>& repeated,
-                            const TrackerOptions& options, const Oracle& oracle,
-                            SurgeryReport& report, StageClock& clock) {
-  Surface single = surface;
+/// Remodels the surface without exact copies of bodies, and commits that and their loss or neither.
+/// \return whether it could: not where a side depends on how many copies there are
+bool operate_on_one_of_each(const std::vector<std::uint32_t>& repeated, const Pass& pass) {
+  SurgeryReport& report = pass.report;
+  Surface single = pass.surface;
   std::vector<std::uint32_t> map = drop(repeated, single);
-  const Lattice lattice = tracker_lattice(surface.triangles.positions, options);
-  require_crossings_fit(surface.triangles, lattice);
+  const Lattice lattice = fitting_lattice(pass);
   const bool may_drop =
-      sides_agree(single.triangles, only(repeated, surface.triangles), lattice, oracle);
-  clock.ended("coincident");
+      sides_agree(single.triangles, only(repeated, pass.surface.triangles), {lattice, pass.oracle});
+  pass.clock.ended("coincident");
   if (!may_drop) return false;
-  detect_and_operate(single, options, oracle, report, clock);
+  detect_and_operate({single, pass.options, pass.oracle, report, pass.clock});
   if (report.outcome == Outcome::refused) return true;
   if (report.outcome == Outcome::committed)
     for (std::uint32_t& v : map) v = v == kNone ? kNone : report.vertex_map[v];
-  surface = std::move(single);
+  pass.surface = std::move(single);
   report.vertex_map = std::move(map);
   report.coincident_triangles = repeated.size();
   report.outcome = Outcome::committed;
@@ -316,29 +335,24 @@ bool operate_on_one_of_each(Surface& surface, const std::vector<std::uint32_t>& 
 }
 
 /// \pre not empty
-SurgeryReport remodel_as_it_is(Surface& surface, const TrackerOptions& options,
-                               const Oracle& oracle, Trace* trace) {
+SurgeryReport remodel_as_it_is(Surface& surface, const Setup& setup) {
   SurgeryReport report;
   const std::size_t vertices = surface.triangles.positions.size();
-  StageClock clock(report, trace);
+  StageClock clock(report, setup.trace);
+  const Pass pass{surface, setup.options, setup.oracle, report, clock};
   const Components bodies = measure_before(surface, report);
   clock.ended("measure");
-  const OracleCounts asked = oracle.counts();
+  const OracleTally tally;
   try {
-    const std::vector<std::uint32_t> repeated = merges(options.events)
+    const std::vector<std::uint32_t> repeated = merges(setup.options.events)
                                                     ? repeated_triangles(surface.triangles, bodies)
                                                     : std::vector<std::uint32_t>{};
-    if (repeated.empty() ||
-        !operate_on_one_of_each(surface, repeated, options, oracle, report, clock))
-      detect_and_operate(surface, options, oracle, report, clock);
+    if (repeated.empty() || !operate_on_one_of_each(repeated, pass)) detect_and_operate(pass);
   } catch (const InternalFailure& failure) {
     report.outcome = Outcome::refused;
     report.failure = failure.what();
   }
-  const OracleCounts& now = oracle.counts();
-  report.oracle = {now.edge_side - asked.edge_side, now.triangle_side - asked.triangle_side,
-                   now.orientation - asked.orientation,
-                   now.filter_failures - asked.filter_failures};
+  report.oracle = tally.counts();
   if (report.outcome == Outcome::committed) {
     measure_after(surface, report);
     clock.ended("measure");
@@ -350,12 +364,11 @@ SurgeryReport remodel_as_it_is(Surface& surface, const TrackerOptions& options,
 
 }  // namespace
 
-SurgeryReport remodel(Surface& surface, const TrackerOptions& options, const Oracle& oracle,
-                      Trace* trace) {
+SurgeryReport remodel(Surface& surface, const Setup& setup) {
   if (surface.triangles.triangles.empty()) return {};  // all of the material has gone
-  if (!jitters(options)) return remodel_as_it_is(surface, options, oracle, trace);
-  Surface moved = jittered(surface, options);
-  SurgeryReport report = remodel_as_it_is(moved, options, oracle, trace);
+  if (!jitters(setup.options)) return remodel_as_it_is(surface, setup);
+  Surface moved = jittered(surface, setup.options);
+  SurgeryReport report = remodel_as_it_is(moved, setup);
   if (report.outcome == Outcome::committed) surface = std::move(moved);
   return report;
 }

@@ -8,10 +8,16 @@
 
 namespace suture::surgery {
 
+/// The ways and means of a remodel or an improvement. All must outlive it.
+struct Setup {
+  const TrackerOptions& options;
+  const Oracle& oracle;
+  Trace* trace = nullptr;  ///< null: nobody listens
+};
+
 /// Remodels `surface` in place, or leaves it untouched to the last bit and says why in the report.
 /// \pre closed manifold, finite, without garbage; or empty
 /// \throw InvalidInput if the lattice would not fit the indices or the memory
-SurgeryReport remodel(Surface& surface, const TrackerOptions& options, const Oracle& oracle,
-                      Trace* trace);
+SurgeryReport remodel(Surface& surface, const Setup& setup);
 
 }  // namespace suture::surgery

@@ -1,4 +1,4 @@
-// The tracker's state, and what each call promises to leave behind [§3].
+// The tracker's state, and the checks before each call and after it [§3].
 #include "surgery/tracker.h"
 
 #include <cmath>
@@ -7,11 +7,9 @@
 
 #include "kernel/audit.h"
 #include "kernel/errors.h"
-#include "kernel/formats/mesh_io.h"
 #include "kernel/lists.h"
 #include "predicates/floating_point.h"
-#include "surgery/advect.h"
-#include "surgery/detect/budget.h"
+#include "surgery/detect/crossings.h"
 #include "surgery/model/tracker_lattice.h"
 #include "surgery/model/unit.h"
 #include "surgery/quality/improve.h"
@@ -53,16 +51,16 @@ void require_in_range(const TrackerOptions& o) {
 
 /// A remodel in the unit that suits the cells, or in the scene's own where a new vertex would have
 /// a coordinate that doubles cannot hold there: one next to a plane at 0 may be subnormal.
-SurgeryReport remodel_in_unit(Surface& surface, const TrackerOptions& options, const Oracle& oracle,
-                              Trace* trace) {
-  const int unit = unit_exponent(options);
-  if (unit == 0) return remodel(surface, options, oracle, trace);
+SurgeryReport remodel_in_unit(Surface& surface, const Setup& setup) {
+  const int unit = unit_exponent(setup.options);
+  if (unit == 0) return remodel(surface, setup);
   Surface work = surface;
   multiply(work, -unit);
-  SurgeryReport report = remodel(work, times_power(options, -unit), oracle, trace);
+  const TrackerOptions options = times_power(setup.options, -unit);
+  SurgeryReport report = remodel(work, {options, setup.oracle, setup.trace});
   multiply(report, unit);
   if (report.outcome != Outcome::committed) return report;
-  if (!multiply(work, unit)) return remodel(surface, options, oracle, trace);
+  if (!multiply(work, unit)) return remodel(surface, setup);
   surface = std::move(work);
   return report;
 }
@@ -73,8 +71,8 @@ struct Improved {
 };
 
 /// The same for an improvement. \return nothing where `unit` cannot hold the result
-std::optional<Improved> improve_in_unit(const Surface& surface, const TrackerOptions& options,
-                                        const Oracle& oracle, int unit) {
+std::optional<Improved> improve_in_unit(const Surface& surface, const Setup& setup, int unit) {
+  const TrackerOptions& options = setup.options;
   QualityOptions quality = options.quality;
   if (quality.edge_length == 0) quality.edge_length = options.cell_size;
   quality.edge_length = std::ldexp(quality.edge_length, -unit);
@@ -82,7 +80,8 @@ std::optional<Improved> improve_in_unit(const Surface& surface, const TrackerOpt
   Surface work = surface;
   multiply(work, -unit);
   const Lattice lattice = tracker_lattice(work.triangles.positions, times_power(options, -unit));
-  QualityReport report = improve(work.mesh, quality, &lattice, &oracle);
+  const ShiftedLattice nodes{lattice, setup.oracle};
+  QualityReport report = improve(work.mesh, quality, &nodes);
   multiply(report, unit);
   if (!multiply(work.mesh, unit)) return std::nullopt;
   return Improved{std::move(work.mesh), std::move(report)};
@@ -95,7 +94,6 @@ struct Tracker::State {
   TrackerOptions options;
   std::unique_ptr<Oracle> oracle;
   double time = 0;
-  int remodels = 0;
 };
 
 Tracker::Tracker(Triangles surface, const TrackerOptions& options) {
@@ -118,7 +116,7 @@ const TrackerOptions& Tracker::options() const { return state_->options; }
 double Tracker::time() const { return state_->time; }
 
 void Tracker::advect(const VelocityField& u, double dt) {
-  displace(advected(surface().positions, u, state_->time, dt), dt);
+  displace(advected(surface().positions, u, {state_->time, dt}), dt);
 }
 
 void Tracker::displace(std::vector<Point> positions, double dt) {
@@ -142,16 +140,7 @@ SurfaceDistance Tracker::distance() const { return SurfaceDistance(surface(), st
 
 SurgeryReport Tracker::remodel(Trace* trace) {
   require_ieee_arithmetic();  // of this thread, which need not be the one that made the tracker
-  SurgeryReport report = remodel_in_unit(state_->surface, state_->options, *state_->oracle, trace);
-  ++state_->remodels;
-  if (report.outcome == Outcome::refused && !state_->options.reproducers.empty()) {
-    std::filesystem::create_directories(state_->options.reproducers);
-    const auto path = state_->options.reproducers /
-                      ("refused_remodel_" + std::to_string(state_->remodels) + ".ply");
-    write_triangles(path, surface());
-    report.reproducer = path.string();
-  }
-  return report;
+  return remodel_in_unit(state_->surface, {state_->options, *state_->oracle, trace});
 }
 
 QualityReport Tracker::improve(Trace* trace) {
@@ -159,8 +148,9 @@ QualityReport Tracker::improve(Trace* trace) {
   require_ieee_arithmetic();
   Stopwatch watch;
   const State& was = *state_;
-  auto found = improve_in_unit(was.surface, was.options, *was.oracle, unit_exponent(was.options));
-  if (!found) found = improve_in_unit(was.surface, was.options, *was.oracle, 0);
+  const Setup setup{was.options, *was.oracle};
+  auto found = improve_in_unit(was.surface, setup, unit_exponent(was.options));
+  if (!found) found = improve_in_unit(was.surface, setup, 0);
   QualityReport& report = found->report;
   if (report.subdivisions + report.collapses.done + report.flips + report.flattened == 0) {
     report.vertex_map =

@@ -1,19 +1,16 @@
-// The tracker: a closed surface that moves, splits and merges. All that simulators see [§3].
+// The tracker: a closed surface that moves, splits and merges. Simulators see no more of it [§3].
 #pragma once
 
-#include <functional>
 #include <memory>
 
 #include "kernel/trace.h"
 #include "kernel/triangles.h"
+#include "surgery/advect.h"
 #include "surgery/detect/surface_distance.h"
 #include "surgery/model/options.h"
 #include "surgery/model/report.h"
 
 namespace suture {
-
-/// u(x, t): velocity at a point and a time, in the scene's units.
-using VelocityField = std::function<Point(const Point&, double)>;
 
 /// Owns the surface. Each call either does what it says or leaves the surface as it was.
 class Tracker {

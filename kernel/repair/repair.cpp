@@ -219,7 +219,7 @@ void require_usable(const Triangles& surface, const std::string& name) {
   throw InvalidInput(name + ": " + std::to_string(wrong.size()) +
                      (wrong.size() == 1 ? " component is" : " components are") +
                      " inside-out (negative volume), the first holds triangle " +
-                     std::to_string(wrong[0]) + "; repair turns such components over");
+                     std::to_string(wrong[0]) + "; a repair turns such components over");
 }
 
 }  // namespace suture

@@ -1,5 +1,7 @@
-// Windings of whole surfaces, and ties told apart by exact signs without the shift.
+// Windings of whole surfaces; exact signs without the shift tell the ties.
 #include "surgery/check/surgery_check.h"
+
+#include <atomic>
 
 #include "predicates/exact_signs.h"
 #include "surgery/detect/winding.h"
@@ -12,7 +14,7 @@ using namespace surgery;
 namespace {
 
 Crossings crossings_of(const Triangles& surface, const Lattice& lattice, const Oracle& oracle) {
-  return find_crossings(incidence(surface), lattice, oracle);
+  return find_crossings(incidence(surface), {lattice, oracle});
 }
 
 /// Answers as the filtered oracle does, and counts the answers that only the shift could give.
@@ -35,7 +37,7 @@ class TieCounter : public Oracle {
 
  private:
   std::unique_ptr<Oracle> truth_ = make_filtered_oracle();
-  mutable std::size_t ties_ = 0;
+  mutable std::atomic<std::size_t> ties_ = 0;
 };
 
 }  // namespace

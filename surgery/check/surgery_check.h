@@ -1,4 +1,4 @@
-// What detection sees of a surface, for those who check the tracker from outside: windings at the
+// A surface as detection sees it, for those who check the tracker from outside: windings at the
 // lattice's nodes, by all three marches [§5.3].
 #pragma once
 
@@ -40,8 +40,8 @@ class SurfaceCheck {
   std::unique_ptr<State> state_;
 };
 
-/// How many decisions of detection are ties, settled by the symbolic shift and so by the order of
-/// the axes: vertices on planes, and edges, triangles that meet lattice lines, nodes exactly.
+/// The number of detection's decisions that are ties, which the symbolic shift settles by the order
+/// of the axes: vertices on planes, edges that meet lattice lines and triangles that meet nodes.
 std::size_t count_ties(const Triangles& surface, const Lattice& lattice);
 
 }  // namespace suture

@@ -19,7 +19,7 @@ Mesh::Halfedge_index longest_edge(const Mesh& mesh, Mesh::Face_index f) {
   return best;
 }
 
-/// Unit normal, or zero for a sliver.
+/// The unit normal, or zero for a sliver.
 Point own_normal(const Mesh& mesh, Mesh::Face_index f, double sliver_height) {
   const Corners t = corners(mesh, f);
   const Point n = area_vector(t);

@@ -1,11 +1,11 @@
-// Sharp edges and corners, and which vertices they hold in place [§6.2].
+// Sharp edges and corners hold their vertices in place [§6.2].
 #pragma once
 
 #include "surgery/collapse/local_change.h"
 
 namespace suture::surgery {
 
-/// What a vertex is on: nothing; a crease that passes through it nearly straight; or a corner, a
+/// A vertex is on no feature; on a crease that passes through it nearly straight; or on a corner, a
 /// crease's end or a sharp turn of it, any of which must stay.
 enum class VertexKind { free, crease, corner };
 

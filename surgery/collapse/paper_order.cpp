@@ -6,7 +6,7 @@
 #include <algorithm>
 
 #include "kernel/errors.h"
-#include "surgery/collapse/local_change.h"
+#include "surgery/collapse/edge_collapse.h"
 #include "surgery/collapse/queue.h"
 
 namespace suture::surgery {
@@ -18,13 +18,15 @@ using Vertex = Mesh::Vertex_index;
 /// Neighbours along the chain of each type 2 vertex that is on the region's boundary.
 class PaperOrder final : public CollapseOrder {
  public:
-  PaperOrder(const Mesh& mesh, const std::vector<ArcChain>& chains, const Sewing& sewing,
-             const CollapseRules& rules, const FaceMarks& doomed)
-      : mesh_(mesh), rules_(rules), doomed_(doomed) {
-    before_.resize(mesh.num_vertices(), Mesh::null_vertex());
-    after_.resize(mesh.num_vertices(), Mesh::null_vertex());
-    is_type1_.resize(mesh.num_vertices(), 0);
+  PaperOrder(const Sewing& sewing, const CollapseRules& rules, const FaceMarks& doomed)
+      : mesh_(sewing.mesh()), rules_(rules), doomed_(doomed) {
+    before_.resize(mesh_.num_vertices(), Mesh::null_vertex());
+    after_.resize(mesh_.num_vertices(), Mesh::null_vertex());
+    is_type1_.resize(mesh_.num_vertices(), 0);
     for (const auto v : sewing.made().type1) is_type1_[v] = 1;
+  }
+
+  void follow(const std::vector<ArcChain>& chains, const Sewing& sewing) {
     for (const ArcChain& chain : chains)
       for (std::size_t i = 1; i + 1 < chain.sites.size(); ++i) {
         const Vertex v = sewing.vertex(chain.sites[i]);
@@ -40,7 +42,8 @@ class PaperOrder final : public CollapseOrder {
   Refusal refusal(const Mesh& mesh, Mesh::Halfedge_index h) const override {
     if (premature(h)) return Refusal::premature;
     if (!keeps_manifold(mesh, h)) return Refusal::link;
-    return judge(collapse_change(mesh, h, to_point(mesh.point(mesh.target(h))), &doomed_), rules_);
+    return judge(collapse_change(mesh, {h, to_point(mesh.point(mesh.target(h)))}, &doomed_),
+                 rules_);
   }
 
   std::vector<VertexPair> collapsing(Vertex from, Vertex to) override {
@@ -72,14 +75,14 @@ class PaperOrder final : public CollapseOrder {
   std::vector<char> is_type1_;
 };
 
-/// Removes what the cut touched, but for triangles that are in the region as they are, and adds the
-/// parts on either side. \return marks of the faces in the region
-FaceMarks subdivide(Mesh& mesh, const CutMesh& cut, Sewing& sewing) {
+/// Removes the triangles that the cut touched, but for those that are in the region as they are,
+/// and adds the parts on either side. \return marks of the faces in the region
+FaceMarks subdivide(const CutMesh& cut, Sewing& sewing) {
   std::vector<std::uint32_t> replaced;
   std::set_difference(cut.touched.begin(), cut.touched.end(), cut.whole.begin(), cut.whole.end(),
                       std::back_inserter(replaced));
   sewing.remove(replaced);
-  FaceMarks doomed = mesh.add_property_map<Mesh::Face_index, char>("f:doomed", 0).first;
+  FaceMarks doomed = sewing.mesh().add_property_map<Mesh::Face_index, char>("f:doomed", 0).first;
   const std::vector<Mesh::Face_index> faces = sewing.add({&cut.kept, &cut.dropped});
   for (std::size_t i = cut.kept.size(); i < faces.size(); ++i) doomed[faces[i]] = 1;
   for (const std::uint32_t t : cut.whole) doomed[Mesh::Face_index(t)] = 1;
@@ -93,9 +96,9 @@ void drop(Mesh& mesh, FaceMarks& doomed) {
   for (const auto f : faces) CGAL::Euler::remove_face(mesh.halfedge(f), mesh);
 }
 
-bool bent(const ArcChain& chain, const Mesh& mesh, const Sewing& sewing) {
+bool bent(const ArcChain& chain, const Sewing& sewing) {
   return std::any_of(chain.sites.begin() + 1, chain.sites.end() - 1,
-                     [&](std::uint32_t s) { return !mesh.is_removed(sewing.vertex(s)); });
+                     [&](std::uint32_t s) { return !sewing.mesh().is_removed(sewing.vertex(s)); });
 }
 
 LatticeId across(const ArcChain& chain) {
@@ -124,20 +127,21 @@ std::vector<ArcChain> chains_of(const std::vector<Arc>& boundary, const Sites& s
   return chains;
 }
 
-std::size_t bent_arcs(const std::vector<ArcChain>& chains, const Mesh& mesh, const Sewing& sewing) {
+std::size_t bent_arcs(const std::vector<ArcChain>& chains, const Sewing& sewing) {
   return static_cast<std::size_t>(std::count_if(
-      chains.begin(), chains.end(), [&](const ArcChain& c) { return bent(c, mesh, sewing); }));
+      chains.begin(), chains.end(), [&](const ArcChain& c) { return bent(c, sewing); }));
 }
 
-OpenedMesh open_in_paper_order(Mesh& mesh, const CutMesh& cut, const Sites& sites, Sewing& sewing,
-                               const CollapseRules& rules) {
-  FaceMarks doomed = subdivide(mesh, cut, sewing);
-  const std::vector<ArcChain> chains = chains_of(cut.boundary, sites);
-  PaperOrder order(mesh, chains, sewing, rules, doomed);
+OpenedMesh open_in_paper_order(const CutMesh& cut, Sewing& sewing, const CollapseRules& rules) {
+  Mesh& mesh = sewing.mesh();
+  FaceMarks doomed = subdivide(cut, sewing);
+  const std::vector<ArcChain> chains = chains_of(cut.boundary, sewing.sites());
+  PaperOrder order(sewing, rules, doomed);
+  order.follow(chains, sewing);
   OpenedMesh result;
-  result.collapses = collapse_type2(mesh, sewing.made().type2, sewing.made().type1, order);
+  result.collapses = collapse_type2(mesh, sewing.made(), order);
   for (const ArcChain& chain : chains) {
-    if (bent(chain, mesh, sewing)) {
+    if (bent(chain, sewing)) {
       ++result.bent_arcs;
       result.gridlocked.push_back(across(chain));
     } else {

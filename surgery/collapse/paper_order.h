@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "surgery/collapse/rules.h"
-#include "surgery/model/report.h"
 #include "surgery/operate/cut.h"
 #include "surgery/operate/stitch.h"
 
@@ -22,24 +21,22 @@ struct ArcChain {
 /// \pre every arc is part of a chain between type 1 sites: no closed loop is on the boundary
 std::vector<ArcChain> chains_of(const std::vector<Arc>& boundary, const Sites& sites);
 
-/// How many of the chains have a type 2 vertex left.
-std::size_t bent_arcs(const std::vector<ArcChain>& chains, const Mesh& mesh, const Sewing& sewing);
+/// The number of chains that have a type 2 vertex left in the mesh that was sewn.
+std::size_t bent_arcs(const std::vector<ArcChain>& chains, const Sewing& sewing);
 
+/// The mesh without the region's triangles, and the arcs that bound the hole.
 struct OpenedMesh {
   CollapseCounts collapses;
   std::vector<Arc> boundary;          ///< straight arcs, one a chain; empty after a gridlock
   std::vector<LatticeId> gridlocked;  ///< cells across from arcs that are still bent, sorted
   std::size_t bent_arcs = 0;
-  std::size_t type2_vertices =
-      0;  ///< on the region's boundary; all gone unless there are bent arcs
 };
 
 /// Subdivides the mesh along the region's boundary, keeping it closed; collapses type 2 vertices
-/// along their arcs while no rule forbids it; drops what is in the region. A collapse is delayed
-/// where it would join two type 1 vertices other than the ends of the arc that it makes straight.
-/// Where an arc stays bent, that is a gridlock: `mesh` is then to be thrown away.
+/// along their arcs while no rule forbids it; drops the triangles in the region. A collapse is
+/// delayed where it would join two type 1 vertices other than the ends of the arc that it makes
+/// straight. Where an arc stays bent, that is a gridlock: the mesh is then to be thrown away.
 /// \pre `cut` has its inside made
-OpenedMesh open_in_paper_order(Mesh& mesh, const CutMesh& cut, const Sites& sites, Sewing& sewing,
-                               const CollapseRules& rules);
+OpenedMesh open_in_paper_order(const CutMesh& cut, Sewing& sewing, const CollapseRules& rules);
 
 }  // namespace suture::surgery

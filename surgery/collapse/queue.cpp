@@ -1,11 +1,11 @@
-// One sorted list of what is known at the start, one heap of what comes later.
+// One sorted list holds the edges known at the start, one heap those that come later.
 #include "surgery/collapse/queue.h"
 
 #include <algorithm>
 #include <queue>
 #include <tuple>
 
-#include "surgery/collapse/local_change.h"
+#include "surgery/collapse/edge_collapse.h"
 
 namespace suture::surgery {
 
@@ -26,14 +26,13 @@ struct Candidate {
 
 class CollapseQueue {
  public:
-  CollapseQueue(Mesh& mesh, const std::vector<Mesh::Vertex_index>& type2,
-                const std::vector<Mesh::Vertex_index>& type1, CollapseOrder& order)
+  CollapseQueue(Mesh& mesh, const StitchedVertices& vertices, CollapseOrder& order)
       : mesh_(mesh), order_(order) {
     role_.resize(mesh.num_vertices(), Role::other);
     refusal_.resize(mesh.num_vertices(), Refusal::none);
-    for (const auto v : type2) role_[v] = Role::type2;
-    for (const auto v : type1) role_[v] = Role::type1;
-    for (const auto v : type2)
+    for (const auto v : vertices.type2) role_[v] = Role::type2;
+    for (const auto v : vertices.type1) role_[v] = Role::type1;
+    for (const auto v : vertices.type2)
       if (role_[v] == Role::type2)
         for (const auto h : mesh_.halfedges_around_target(mesh_.halfedge(v)))
           if (allowed(v, mesh_.source(h))) first_.push_back(candidate(v, mesh_.source(h)));
@@ -41,7 +40,7 @@ class CollapseQueue {
               [](const Candidate& a, const Candidate& b) { return b > a; });
   }
 
-  void run(CollapseCounts& counts) {
+  void collapse_all(CollapseCounts& counts) {
     while (at_ < first_.size() || !queue_.empty()) {
       const Candidate next = take();
       if (mesh_.is_removed(next.from) || mesh_.is_removed(next.to)) continue;
@@ -94,8 +93,8 @@ class CollapseQueue {
     for (const auto h : mesh_.halfedges_around_target(mesh_.halfedge(v))) push(v, mesh_.source(h));
   }
 
-  /// What the target of h will be joined to that only its source is now. Other edges stay in the
-  /// queue: no vertex moves, so their lengths do not change.
+  /// The vertices that only the source of h is joined to now, and its target will be. Other edges
+  /// stay in the queue: no vertex moves, so their lengths do not change.
   std::vector<Mesh::Vertex_index> neighbours_gained(Mesh::Halfedge_index h) const {
     std::vector<Mesh::Vertex_index> gained;
     for (const auto r : mesh_.halfedges_around_target(mesh_.opposite(h))) {
@@ -129,12 +128,11 @@ class CollapseQueue {
 
 }  // namespace
 
-CollapseCounts collapse_type2(Mesh& mesh, const std::vector<Mesh::Vertex_index>& type2,
-                              const std::vector<Mesh::Vertex_index>& type1, CollapseOrder& order) {
+CollapseCounts collapse_type2(Mesh& mesh, const StitchedVertices& vertices, CollapseOrder& order) {
   CollapseCounts counts;
-  CollapseQueue work(mesh, type2, type1, order);
-  work.run(counts);
-  for (const auto v : type2)
+  CollapseQueue work(mesh, vertices, order);
+  work.collapse_all(counts);
+  for (const auto v : vertices.type2)
     if (!mesh.is_removed(v)) {
       const Refusal refusal = work.last_refusal(v);
       if (refusal == Refusal::none) ++counts.delayed;

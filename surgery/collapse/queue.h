@@ -5,30 +5,30 @@
 #include <vector>
 
 #include "surgery/collapse/rules.h"
-#include "surgery/model/report.h"
+#include "surgery/operate/stitch.h"
 
 namespace suture::surgery {
 
 /// A collapse of the first vertex onto the second, which stays.
 using VertexPair = std::pair<Mesh::Vertex_index, Mesh::Vertex_index>;
 
-/// What sets one order of collapses apart from another.
+/// One order of collapses: its own choices.
 class CollapseOrder {
  public:
   virtual ~CollapseOrder() = default;
   /// Whether the type 2 vertex `from` may ever become its neighbour `to`.
   virtual bool joins(Mesh::Vertex_index from, Mesh::Vertex_index to) const = 0;
-  /// What stands against collapsing the source of `h` onto its target now.
+  /// The rule against collapsing the source of `h` onto its target now.
   virtual Refusal refusal(const Mesh& mesh, Mesh::Halfedge_index h) const = 0;
-  /// Told before each collapse. \return pairs that may now be tried although both knew each other
+  /// Hears of each collapse before it happens. \return pairs that may now be tried although both
+  /// knew each other
   virtual std::vector<VertexPair> collapsing(Mesh::Vertex_index from, Mesh::Vertex_index to) = 0;
 };
 
-/// Collapses each of `type2` onto a neighbour that is type 1 or, failing that, another type 2
-/// vertex; shortest edge first, and tried again whenever a collapse nearby has changed its star.
-/// What no rule allows stays and is counted once, under the rule that refused it last; as `delayed`
+/// Collapses each type 2 vertex onto a neighbour that is type 1 or, failing that, type 2; shortest
+/// edge first, and tried again whenever a collapse nearby has changed its star. A vertex that no
+/// rule allows to go stays and is counted once, under the rule that refused it last; as `delayed`
 /// where it has no neighbour of either type. Deterministic; garbage is left in place.
-CollapseCounts collapse_type2(Mesh& mesh, const std::vector<Mesh::Vertex_index>& type2,
-                              const std::vector<Mesh::Vertex_index>& type1, CollapseOrder& order);
+CollapseCounts collapse_type2(Mesh& mesh, const StitchedVertices& vertices, CollapseOrder& order);
 
 }  // namespace suture::surgery

@@ -1,52 +1,42 @@
-// Collapsing an edge, and the rules that allow it [§6.1 step 3, §6.2].
+// Refusals are counted by the rule that made them.
 #include "surgery/collapse/rules.h"
-
-#include <CGAL/boost/graph/Euler_operations.h>
-
-#include "surgery/collapse/features.h"
-#include "surgery/collapse/local_change.h"
 
 namespace suture::surgery {
 
-Refusal may_collapse_to(const Mesh& mesh, Mesh::Halfedge_index h, const Point& to,
-                        const CollapseRules& rules) {
-  if (!to.allFinite()) return Refusal::normal;
-  if (!keeps_manifold(mesh, h)) return Refusal::link;
-  const Refusal shape = judge(collapse_change(mesh, h, to), rules);
-  if (shape != Refusal::none) return shape;
-  if (rules.cos_feature < -1) return Refusal::none;
-  const bool target_moves = to != to_point(mesh.point(mesh.target(h)));
-  if (leaves_feature(mesh, h, rules) ||
-      (target_moves && vertex_kind(mesh, mesh.target(h), rules) != VertexKind::free))
-    return Refusal::feature;
-  return Refusal::none;
-}
-
-Refusal may_collapse(const Mesh& mesh, Mesh::Halfedge_index h, const CollapseRules& rules) {
-  return may_collapse_to(mesh, h, to_point(mesh.point(mesh.target(h))), rules);
-}
-
-Mesh::Vertex_index collapse(Mesh& mesh, Mesh::Halfedge_index h) {
-  // Euler::collapse_edge keeps the end that the edge's first halfedge points to; these are its own
-  // three steps, with `h` in that place.
-  const auto left = mesh.opposite(mesh.prev(h));
-  const auto right = mesh.opposite(mesh.prev(mesh.opposite(h)));
-  const auto stays = mesh.target(h);
-  CGAL::Euler::join_face(left, mesh);
-  CGAL::Euler::join_face(right, mesh);
-  CGAL::Euler::join_vertex(h, mesh);
-  return stays;
-}
-
-bool sweeps_node(const Mesh& mesh, Mesh::Vertex_index v, const Point& to, const Lattice& lattice,
-                 const Oracle& oracle) {
-  const Point from = to_point(mesh.point(v));
-  for (const auto h : mesh.halfedges_around_target(mesh.halfedge(v))) {
-    const Point a = to_point(mesh.point(mesh.target(mesh.next(h))));
-    const Point b = to_point(mesh.point(mesh.source(h)));
-    if (holds_node(from, to, a, b, lattice, oracle)) return true;
+void count_refusal(CollapseCounts& counts, Refusal refusal) {
+  switch (refusal) {
+    case Refusal::none:
+      break;
+    case Refusal::link:
+      ++counts.refused_link;
+      break;
+    case Refusal::normal:
+      ++counts.refused_normal;
+      break;
+    case Refusal::node:
+      ++counts.refused_node;
+      break;
+    case Refusal::volume:
+      ++counts.refused_volume;
+      break;
+    case Refusal::feature:
+      ++counts.refused_feature;
+      break;
+    case Refusal::premature:
+      ++counts.delayed;
+      break;
   }
-  return false;
+}
+
+void add_to(CollapseCounts& sum, const CollapseCounts& counts) {
+  sum.done += counts.done;
+  sum.delayed += counts.delayed;
+  sum.blocked += counts.blocked;
+  sum.refused_link += counts.refused_link;
+  sum.refused_normal += counts.refused_normal;
+  sum.refused_node += counts.refused_node;
+  sum.refused_volume += counts.refused_volume;
+  sum.refused_feature += counts.refused_feature;
 }
 
 }  // namespace suture::surgery

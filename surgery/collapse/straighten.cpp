@@ -1,6 +1,7 @@
 // Every neighbour of either type will do, and the surface is closed: only the rules can refuse.
 #include "surgery/collapse/straighten.h"
 
+#include "surgery/collapse/edge_collapse.h"
 #include "surgery/collapse/queue.h"
 
 namespace suture::surgery {
@@ -22,11 +23,10 @@ class ClosedSurfaceOrder final : public CollapseOrder {
 
 }  // namespace
 
-CollapseCounts straighten(Mesh& mesh, const std::vector<Mesh::Vertex_index>& type2,
-                          const std::vector<Mesh::Vertex_index>& type1,
+CollapseCounts straighten(Mesh& mesh, const StitchedVertices& vertices,
                           const CollapseRules& rules) {
   ClosedSurfaceOrder order(rules);
-  return collapse_type2(mesh, type2, type1, order);
+  return collapse_type2(mesh, vertices, order);
 }
 
 }  // namespace suture::surgery

@@ -9,7 +9,7 @@
 
 namespace suture::surgery {
 
-/// What is known of a cell that holds mesh.
+/// A cell that holds mesh, as detection sees it.
 struct SurfaceCell {
   bool mixed = false;  ///< its corners do not share a side: the isosurface of D passes through it
   bool complex =

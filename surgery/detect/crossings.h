@@ -5,11 +5,13 @@
 #include <vector>
 
 #include "kernel/incidence.h"
-#include "kernel/lattice.h"
-#include "predicates/oracle.h"
 #include "surgery/detect/lattice_path.h"
 
 namespace suture::surgery {
+
+/// \throw InvalidInput if the crossings would outnumber 32-bit indices or not fit this machine's
+/// memory, with both numbers and what to do. The estimate is linear and allocates nothing.
+void require_crossings_fit(const Triangles& surface, const Lattice& lattice);
 
 /// Triangle × lattice line: a type 1 vertex where its lattice edge is on the region's boundary.
 struct LineCrossing {
@@ -31,32 +33,40 @@ struct Crossings {
   std::size_t size() const { return edge_crossings.size() + line_crossings.size(); }
 };
 
-/// Which lattice lines are scanned: all, or those along z, which are enough for windings.
+/// The lattice lines that are scanned: all, or those along z, which are enough for windings.
 enum class Lines { all, along_z };
 
 /// \pre the lattice holds every vertex with a cell to spare; positions finite
 /// \throw InternalFailure where the oracle contradicts itself
-Crossings find_crossings(const Incidence& mesh, const Lattice& lattice, const Oracle& oracle,
-                         Lines lines = Lines::all);
+Crossings find_crossings(const Incidence& mesh, const ShiftedLattice& on, Lines lines = Lines::all);
 
-/// Where the boundary of a triangle passes a plane: its two edge crossings there.
+/// A mesh with its crossings. All must outlive it.
+struct CrossedMesh {
+  const Incidence& mesh;
+  ShiftedLattice on;
+  const Crossings& crossings;
+};
+
+/// The two edge crossings at which the boundary of a triangle passes a plane.
 struct PlaneEnds {
   std::uint32_t up = kNone, down = kNone;  ///< indices of edge_crossings
 };
 
-/// The planes across `axis` that a triangle passes: plane first + i has ends[i].
+/// The planes across one axis that a triangle passes: plane first + i has ends[i].
 struct TrianglePlanes {
   int first = 0;
   std::vector<PlaneEnds> ends;
+
+  /// Puts the planes across `axis` that `triangle` passes in place of those before.
+  /// \throw InternalFailure unless each plane between its vertices is passed once up and once down
+  void find(const CrossedMesh& in, std::uint32_t triangle, int axis);
 };
-/// \throw InternalFailure unless every plane between the vertices is passed once up and once down
-void triangle_planes(const Incidence& mesh, const Crossings& crossings, std::uint32_t triangle,
-                     int axis, TrianglePlanes& planes);
 
 /// Calls visit(cell) with every cell that the triangle touches, some of them more than once.
 template <class Visit>
-void for_each_cell(const Incidence& mesh, const Crossings& crossings, std::uint32_t triangle,
-                   Visit visit) {
+void for_each_cell(const CrossedMesh& in, std::uint32_t triangle, Visit visit) {
+  const Incidence& mesh = in.mesh;
+  const Crossings& crossings = in.crossings;
   const Triangle& v = mesh.triangles[triangle];
   visit(pack(crossings.vertex_cell[v[0]]));
   if (crossings.vertex_cell[v[1]] == crossings.vertex_cell[v[0]] &&

@@ -20,7 +20,7 @@ bool is_deep(const CellSet& set, const Index3& cell, int depth) {
   return true;
 }
 
-/// Smallest and largest winding at the cell's corners.
+/// The smallest and the largest winding at the cell's corners.
 std::pair<int, int> corner_windings(const Winding& winding, const Index3& cell) {
   int low = winding.at(cell), high = low;
   for (int corner = 1; corner < 8; ++corner) {
@@ -34,10 +34,10 @@ std::pair<int, int> corner_windings(const Winding& winding, const Index3& cell) 
 
 }  // namespace
 
-std::vector<LatticeId> find_events(const CellSet& set, const Winding& winding,
-                                   const EventTest& test, MarkedCells& marked) {
-  std::vector<LatticeId> seeds;
-  if (test.events == Events::none) return seeds;
+EventCells find_events(const CellSet& set, const Winding& winding, const EventTest& test) {
+  EventCells found;
+  MarkedCells& marked = found.marked;
+  if (test.events == Events::none) return found;
   for (std::size_t i = 0; i < set.cells.size(); ++i) {
     const SurfaceCell& cell = set.cells.values()[i];
     if (!cell.complex) continue;  // a cell at a node of winding 2 or −1 is complex too
@@ -55,10 +55,10 @@ std::vector<LatticeId> find_events(const CellSet& set, const Winding& winding,
     if (!cause && low < 0 && splits(test.events)) cause = &marked.inverted;
     if (!cause) continue;
     ++*cause;
-    seeds.push_back(set.cells.keys()[i]);
+    found.cells.push_back(set.cells.keys()[i]);
   }
-  std::sort(seeds.begin(), seeds.end());
-  return seeds;
+  std::sort(found.cells.begin(), found.cells.end());
+  return found;
 }
 
 }  // namespace suture::surgery

@@ -1,4 +1,4 @@
-// Which complex cells call for a change of topology [§5.3].
+// Some complex cells call for a change of topology: those of events [§5.3].
 #pragma once
 
 #include <vector>
@@ -18,11 +18,15 @@ struct EventTest {
   int depth = 1;
 };
 
-/// The cells at which topology changes: complex cells at least `depth` whole cells from the
-/// isosurface (deep inside: a merge, deep outside: a split) or, with the plain test, all complex
-/// cells; and cells at a node whose winding is above 1 (self-intersection: a merge) or below 0
-/// (inverted: a split). Sorted by id, each once; `marked` counts them by first cause.
-std::vector<LatticeId> find_events(const CellSet& set, const Winding& winding,
-                                   const EventTest& test, MarkedCells& marked);
+/// The cells at which topology changes, sorted by id, each once; and their number by first cause.
+struct EventCells {
+  std::vector<LatticeId> cells;
+  MarkedCells marked;
+};
+
+/// Topology changes at complex cells at least `depth` whole cells from the isosurface (deep inside:
+/// a merge, deep outside: a split) or, with the plain test, at all complex cells; and at cells with
+/// a node whose winding is above 1 (self-intersection: a merge) or below 0 (inverted: a split).
+EventCells find_events(const CellSet& set, const Winding& winding, const EventTest& test);
 
 }  // namespace suture::surgery

@@ -1,5 +1,5 @@
-// Lazy exact distances: a small search tree near the region first, a full one only if that is not
-// enough.
+// Lazy exact distances: a small search tree near the region first, a full one only where that is
+// not enough.
 #include "surgery/detect/distance_field.h"
 
 #include <algorithm>
@@ -17,7 +17,7 @@ struct DistanceField::State {
   std::optional<NearestTriangle> near_tree, full_tree;
   SparseField<double> known;
 
-  /// Distance below which only triangles in the eight cells round the node can be nearer.
+  /// The distance below which only triangles in the eight cells round the node can be nearer.
   double reach(const Index3& node) const {
     double reach = std::numeric_limits<double>::infinity();
     for (int a = 0; a < 3; ++a) {
@@ -46,13 +46,14 @@ struct DistanceField::State {
 
 DistanceField::DistanceField(const Triangles& surface, const Lattice& lattice,
                              const Winding& winding)
-    : DistanceField(surface, lattice, winding, {}) {}
-DistanceField::DistanceField(const Triangles& surface, const Lattice& lattice,
-                             const Winding& winding, std::vector<std::uint32_t> near)
-    : state_(
-          std::make_unique<State>(State{surface, lattice, winding, std::move(near), {}, {}, {}})) {}
+    : state_(std::make_unique<State>(State{surface, lattice, winding, {}, {}, {}, {}})) {}
 DistanceField::~DistanceField() = default;
 DistanceField::DistanceField(DistanceField&&) noexcept = default;
+
+void DistanceField::search_first(std::vector<std::uint32_t> near) {
+  state_->near = std::move(near);
+  state_->near_tree.reset();
+}
 
 double DistanceField::at(const Index3& node) const {
   const LatticeId id = pack(node);

@@ -17,14 +17,12 @@ namespace suture::surgery {
 class DistanceField {
  public:
   DistanceField(const Triangles& surface, const Lattice& lattice, const Winding& winding);
-
-  /// The same values, found faster near some cells: the triangles at `near` (those that touch the
-  /// cells round the nodes to be asked) are searched first, all of them only where these cannot
-  /// decide.
-  DistanceField(const Triangles& surface, const Lattice& lattice, const Winding& winding,
-                std::vector<std::uint32_t> near);
   ~DistanceField();
   DistanceField(DistanceField&&) noexcept;
+
+  /// Has these triangles searched first (those that touch the cells round the nodes to be asked),
+  /// and all others only where these cannot decide: the same values, found faster.
+  void search_first(std::vector<std::uint32_t> near);
 
   /// D at a node of the lattice, in the scene's unit of length.
   double at(const Index3& node) const;

@@ -25,11 +25,10 @@ bool same(const Triangle& before, const Triangle& after,
 
 }  // namespace
 
-Triangles difference(const Triangles& before, const Triangles& after,
-                     const std::vector<std::uint32_t>& kept,
-                     const std::vector<std::uint32_t>& vertex_map) {
-  // Vertices of `after` first, then those of `before` that went; each only where a triangle needs
-  // it.
+Triangles difference(const Triangles& before, const Triangles& after, const Lineage& lineage) {
+  const auto& [kept, vertex_map] = lineage;
+  // Vertices of `after` come first, then those of `before` that went; each only where a triangle
+  // needs it.
   Triangles result;
   std::vector<std::uint32_t> of_after(after.positions.size(), kNone);
   std::vector<std::uint32_t> of_before(before.positions.size(), kNone);
@@ -63,22 +62,20 @@ Triangles difference(const Triangles& before, const Triangles& after,
   return result;
 }
 
-std::vector<Index3> changed_outside(const Triangles& difference, const Lattice& lattice,
-                                    const Oracle& oracle, const Region& region,
-                                    const Winding& before) {
+std::vector<Index3> changed_outside(const Triangles& difference, const Detected& before) {
   constexpr int kAxis = 2;
   const Winding change(
-      find_crossings(incidence(difference, EdgeUse::any), lattice, oracle, Lines::along_z));
+      find_crossings(incidence(difference, EdgeUse::any), before.on, Lines::along_z));
   std::vector<Index3> nodes;
   const auto& edges = change.edges(kAxis);
   for (std::size_t i = 0; i + 1 < edges.size(); ++i) {
-    if (edges[i].after == 0)
-      continue;  // else the line goes on to the next edge, which ends the run
+    if (edges[i].after == 0) continue;  // else the line goes on to the next edge
     Index3 node = unpack(edges[i].edge);
     for (const int last = unpack(edges[i + 1].edge)[kAxis]; node[kAxis] < last;) {
       ++node[kAxis];
-      const int was = before.at(node), is = was + edges[i].after;
-      const bool fine = (was > 1 && is >= 1) || (was < 0 && is < 1) || all_cells_in(region, node);
+      const int was = before.winding.at(node), is = was + edges[i].after;
+      const bool fine =
+          (was > 1 && is >= 1) || (was < 0 && is < 1) || all_cells_in(before.region, node);
       if (!fine) nodes.push_back(node);
     }
   }

@@ -6,12 +6,15 @@
 
 namespace suture::surgery {
 
-/// What surgery took out of the surface (reversed) and put in: a closed chain of triangles.
-/// \param kept for each triangle of `after`, the triangle of `before` that it is, or kNone
-/// \param vertex_map vertices of `before` to those of `after`, or kNone
-Triangles difference(const Triangles& before, const Triangles& after,
-                     const std::vector<std::uint32_t>& kept,
-                     const std::vector<std::uint32_t>& vertex_map);
+/// The origin of each part of a surface after surgery in the surface before; kNone: it has none.
+struct Lineage {
+  const std::vector<std::uint32_t>& triangle_origin;  ///< new triangle → the same one before
+  const std::vector<std::uint32_t>& vertex_map;       ///< old vertex → new one
+};
+
+/// The triangles that surgery took out of the surface (reversed) and those that it put in: a closed
+/// chain.
+Triangles difference(const Triangles& before, const Triangles& after, const Lineage& lineage);
 
 /// Nodes with a cell outside the region whose winding the surgery changed although it was 0 or 1,
 /// or whose side it changed, in a defined order. (Where bodies overlap or are inverted, nodes in
@@ -20,8 +23,6 @@ Triangles difference(const Triangles& before, const Triangles& after,
 /// since inserted vertices are rounded; with one event there may be others [papers/proof.md, 9.3].
 /// Nodes with all their cells in the region are not looked at, though with one event these too may
 /// change side: a known fault. \throw InternalFailure if the oracle contradicts itself
-std::vector<Index3> changed_outside(const Triangles& difference, const Lattice& lattice,
-                                    const Oracle& oracle, const Region& region,
-                                    const Winding& before);
+std::vector<Index3> changed_outside(const Triangles& difference, const Detected& before);
 
 }  // namespace suture::surgery

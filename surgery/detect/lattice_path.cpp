@@ -10,10 +10,16 @@ namespace suture::surgery {
 
 namespace {
 
-/// Largest j in [low, high] that is not above, given that `low` is not and that all past the first
-/// above are. Gallops from a guess, so a good one costs two questions and a bad one few.
+/// Indices of cells on one axis, both ends included.
+struct Range {
+  int low, high;
+};
+
+/// The largest j of the range that is not above, given that `low` is not and that all past the
+/// first above are. Gallops from a guess, so a good one costs two questions and a bad one few.
 template <class Above>
-int locate(int low, int high, int guess, Above above) {
+int locate(Range range, int guess, Above above) {
+  auto [low, high] = range;
   const int j = std::clamp(guess, low, high);
   const bool down = j > low && above(j);
   (down ? high : low) = down ? j - 1 : j;
@@ -33,38 +39,54 @@ int locate(int low, int high, int guess, Above above) {
   return low;
 }
 
-/// The column on `axis` where the segment passes plane i across `across`.
-int column(const LatticeSegment& s, int across, int i, int axis, const Lattice& lattice,
-           const Oracle& oracle) {
-  const int low = std::min(s.p_cell[axis], s.q_cell[axis]);
-  const int high = std::max(s.p_cell[axis], s.q_cell[axis]);
-  if (low == high) return low;
-  const double plane = lattice.plane(across, i);
-  const double t = (plane - s.p[across]) / (s.q[across] - s.p[across]);
-  const int guess = lattice.cell_of(axis, s.p[axis] + t * (s.q[axis] - s.p[axis]));
-  const int upward = s.p_cell[across] < s.q_cell[across] ? 1 : -1;
-  return locate(low, high, guess, [&](int j) {
-    return upward * oracle.edge_side(s.p, s.q, {across, axis, plane, lattice.plane(axis, j)}) > 0;
-  });
-}
+/// The columns in which a mesh edge passes the planes of the lattice.
+struct EdgeColumns {
+  const LatticeSegment& s;
+  const ShiftedLattice& on;
 
-/// The cell along `axis` where the triangle passes the lattice line through `node`.
-int position(const LatticeTriangle& t, int axis, Index3 node, int normal, int low, int high,
-             const Lattice& lattice, const Oracle& oracle) {
-  if (low == high) return low;
-  Point at = lattice.node({node[0], node[1], node[2]});
-  at[axis] = t.a[axis];
-  const double x = t.a[axis] - t.normal.dot(at - t.a) / t.normal[axis];
-  return locate(low, high, lattice.cell_of(axis, x), [&](int k) {
-    node[axis] = k;
-    return normal * oracle.triangle_side(t.a, t.b, t.c, lattice.node(node)) > 0;
-  });
-}
+  /// The column on `axis` where the segment passes plane i across `across`.
+  int at(int across, int i, int axis) const {
+    const int low = std::min(s.p_cell[axis], s.q_cell[axis]);
+    const int high = std::max(s.p_cell[axis], s.q_cell[axis]);
+    if (low == high) return low;
+    const double plane = on.lattice.plane(across, i);
+    const double t = (plane - s.p[across]) / (s.q[across] - s.p[across]);
+    const int guess = on.lattice.cell_of(axis, s.p[axis] + t * (s.q[axis] - s.p[axis]));
+    const int upward = s.p_cell[across] < s.q_cell[across] ? 1 : -1;
+    return locate({low, high}, guess, [&](int j) {
+      return upward *
+                 on.oracle.edge_side(s.p, s.q, {across, axis, plane, on.lattice.plane(axis, j)}) >
+             0;
+    });
+  }
+};
+
+/// The cells in which a triangle passes the lattice lines that its chord passes.
+struct ChordPositions {
+  const PlaneChord& chord;
+  const ShiftedLattice& on;
+
+  /// The cell along `axis` where the triangle passes the lattice line through `node`; `normal` is
+  /// the sign of its normal there.
+  int at(int axis, Index3 node, int normal) const {
+    const int low = std::min(chord.from[axis], chord.to[axis]);
+    const int high = std::max(chord.from[axis], chord.to[axis]);
+    if (low == high) return low;
+    const LatticeTriangle& t = chord.triangle;
+    Point at = on.lattice.node({node[0], node[1], node[2]});
+    at[axis] = t.a[axis];
+    const double x = t.a[axis] - t.normal.dot(at - t.a) / t.normal[axis];
+    return locate({low, high}, on.lattice.cell_of(axis, x), [&](int k) {
+      node[axis] = k;
+      return normal * on.oracle.triangle_side(t.a, t.b, t.c, on.lattice.node(node)) > 0;
+    });
+  }
+};
 
 }  // namespace
 
-void edge_path(const LatticeSegment& s, const Lattice& lattice, const Oracle& oracle,
-               std::vector<FaceStep>& path) {
+void edge_path(const LatticeSegment& s, const ShiftedLattice& on, std::vector<FaceStep>& path) {
+  const EdgeColumns columns{s, on};
   Index3 cell = s.p_cell;
   std::array<std::optional<Index3>, 3>
       next;  // the face through which the segment leaves on each axis
@@ -77,8 +99,8 @@ void edge_path(const LatticeSegment& s, const Lattice& lattice, const Oracle& or
       if (!next[a]) {
         Index3 face;
         face[a] = cell[a] + up;
-        face[b] = column(s, a, face[a], b, lattice, oracle);
-        face[c] = column(s, a, face[a], c, lattice, oracle);
+        face[b] = columns.at(a, face[a], b);
+        face[c] = columns.at(a, face[a], c);
         next[a] = face;
       }
       if ((*next[a])[b] == cell[b] && (*next[a])[c] == cell[c]) taken = a;
@@ -94,12 +116,13 @@ LatticeTriangle lattice_triangle(const Point& a, const Point& b, const Point& c)
   return {a, b, c, (b - a).cross(c - a)};
 }
 
-void plane_path(const LatticeTriangle& t, int axis, const Index3& from, const Index3& to,
-                const Lattice& lattice, const Oracle& oracle, std::vector<LineStep>& path) {
+void plane_path(const PlaneChord& chord, const ShiftedLattice& on, std::vector<LineStep>& path) {
   // Seen along cyclic axes (a, b, c), the part above the plane lies left of the way down → up; so a
   // step along ±b passes a line along c with N_c = ±, and a step along ±c one along b with N_b = ∓.
-  const std::array<int, 2> axes = {next_axis(axis), prev_axis(axis)};
-  Index3 face = from;
+  const ChordPositions positions{chord, on};
+  const std::array<int, 2> axes = {next_axis(chord.axis), prev_axis(chord.axis)};
+  const Index3 to = chord.to;
+  Index3 face = chord.from;
   std::array<std::optional<int>, 2> other;  // where the next step on either axis passes its line
   while (face != to) {
     int taken = -1;
@@ -110,9 +133,7 @@ void plane_path(const LatticeTriangle& t, int axis, const Index3& from, const In
       if (!other[s]) {
         Index3 node = face;
         node[along] += direction > 0 ? 1 : 0;
-        other[s] =
-            position(t, line, node, s == 0 ? direction : -direction, std::min(from[line], to[line]),
-                     std::max(from[line], to[line]), lattice, oracle);
+        other[s] = positions.at(line, node, s == 0 ? direction : -direction);
       }
       if (*other[s] != face[line]) continue;
       taken = s;

@@ -4,8 +4,7 @@
 
 #include <vector>
 
-#include "kernel/lattice.h"
-#include "predicates/oracle.h"
+#include "surgery/model/tracker_lattice.h"
 
 namespace suture::surgery {
 
@@ -23,15 +22,24 @@ struct FaceStep {
 
 /// Appends the faces that the segment passes, from p to q.
 /// \throw InternalFailure where the oracle's answers fit no path (no exact oracle does that)
-void edge_path(const LatticeSegment& segment, const Lattice& lattice, const Oracle& oracle,
+void edge_path(const LatticeSegment& segment, const ShiftedLattice& on,
                std::vector<FaceStep>& path);
 
-/// A mesh triangle, and its normal in plain doubles: a guess, confirmed by the oracle.
+/// A mesh triangle, and its normal in plain doubles: a guess that the oracle confirms.
 struct LatticeTriangle {
   Point a, b, c;
   Point normal;
 };
 LatticeTriangle lattice_triangle(const Point& a, const Point& b, const Point& c);
+
+/// The chord in which a triangle meets the lattice plane {from[axis] across `axis`}: between two
+/// faces of the plane, from where the triangle's boundary comes up through it to where it goes
+/// down.
+struct PlaneChord {
+  const LatticeTriangle& triangle;
+  int axis;
+  Index3 from, to;
+};
 
 /// A step from face to face of one plane through the lattice edge along `axis`; `normal` is the
 /// sign of the triangle's normal along that axis.
@@ -41,10 +49,8 @@ struct LineStep {
   int normal;
 };
 
-/// Appends the lattice edges that triangle ∩ {plane from[axis] across `axis`} passes between two of
-/// its faces: from where the triangle's boundary comes up through the plane to where it goes down.
-/// \throw InternalFailure as edge_path
-void plane_path(const LatticeTriangle& triangle, int axis, const Index3& from, const Index3& to,
-                const Lattice& lattice, const Oracle& oracle, std::vector<LineStep>& path);
+/// Appends the lattice edges that the chord passes, in its order. \throw InternalFailure as
+/// edge_path
+void plane_path(const PlaneChord& chord, const ShiftedLattice& on, std::vector<LineStep>& path);
 
 }  // namespace suture::surgery

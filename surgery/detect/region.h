@@ -13,8 +13,20 @@ struct Region {
 
   bool empty() const { return cells.empty(); }
   bool holds(LatticeId cell) const { return cells.contains(cell); }
-  /// How many of the four cells round the lattice edge along `axis` are in the region.
+  /// The number of the four cells round the lattice edge along `axis` that are in the region.
   int cells_round_edge(LatticeId edge, int axis) const;
+};
+
+/// Detection's findings, which cut, fill and audit read: the mesh on its shifted lattice, where it
+/// crosses that, the windings of the nodes, and the region. All must outlive it.
+struct Detected {
+  const Incidence& mesh;
+  ShiftedLattice on;
+  const Crossings& crossings;
+  const Winding& winding;
+  const Region& region;
+
+  CrossedMesh crossed() const { return {mesh, on, crossings}; }
 };
 
 /// Floods from the seeds across complex faces. Afterwards no complex edge and no face with a closed

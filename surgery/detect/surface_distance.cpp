@@ -23,7 +23,7 @@ struct SurfaceDistance::State {
   State(const Triangles& s, const TrackerOptions& o)
       : surface(s),
         lattice(tracker_lattice(s.positions, o)),
-        crossings(find_crossings(incidence(s), lattice, *make_oracle(o.arithmetic))),
+        crossings(find_crossings(incidence(s), {lattice, *make_oracle(o.arithmetic)})),
         winding(crossings),
         field(surface, lattice, winding) {}
 };

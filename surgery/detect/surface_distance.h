@@ -25,7 +25,7 @@ class SurfaceDistance {
   const std::vector<Index3>& surface_nodes() const;
   /// D at any node of the lattice, in the scene's unit of length.
   double at(const Index3& node) const;
-  /// How many distances have been computed so far.
+  /// The number of distances computed so far.
   std::size_t computed() const;
 
  private:

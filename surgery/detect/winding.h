@@ -13,9 +13,8 @@ namespace suture::surgery {
 /// A lattice edge that the mesh crosses.
 struct CrossedEdge {
   LatticeId edge;
-  int before, after;  ///< windings of its lower and upper node
-  std::uint32_t first,
-      count;  ///< its crossings: order(axis)[first .. first+count) index line_crossings
+  int before, after;           ///< windings of its lower and upper node
+  std::uint32_t first, count;  ///< order(axis)[first .. first+count) index its line_crossings
 
   bool changes_side() const { return (before >= 1) != (after >= 1); }
   /// More than one crossing, or one that does not part inside from outside [§5.2].
@@ -29,7 +28,7 @@ class Winding {
   /// \throw InternalFailure if a line does not end at winding 0 (the oracle lies)
   Winding(const Crossings& crossings);
 
-  /// Winding of a node by the march along lattice lines of `axis`: the same on all three for a
+  /// The winding of a node by the march along lattice lines of `axis`: the same on all three for a
   /// closed mesh.
   int at(const Index3& node, int axis = 2) const;
   bool inside(const Index3& node) const { return at(node) >= 1; }

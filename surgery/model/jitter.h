@@ -9,8 +9,8 @@ namespace suture::surgery {
 /// Whether remodels of these options work on a jittered copy.
 bool jitters(const TrackerOptions& options);
 
-/// The surface with every coordinate moved by up to options.jitter cells. Seeded by each vertex's
-/// number and coordinates: the same surface moves the same way, another one another way.
+/// The surface with every coordinate moved by up to options.jitter cells, at random by each
+/// vertex's number and coordinates: equal surfaces move alike, and others do not.
 Surface jittered(Surface surface, const TrackerOptions& options);
 
 }  // namespace suture::surgery

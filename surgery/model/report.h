@@ -1,4 +1,4 @@
-// What one remodel or one improvement did: returned, never printed.
+// The report of one remodel or one improvement: returned, never printed.
 #pragma once
 
 #include <cstdint>
@@ -38,8 +38,7 @@ struct CollapseCounts {
 
 struct SurgeryReport {
   Outcome outcome = Outcome::unchanged;
-  std::string failure;     ///< why it was refused
-  std::string reproducer;  ///< file that holds the mesh of a refused surgery
+  std::string failure;  ///< why it was refused
 
   std::size_t crossings = 0;  ///< mesh edges × planes and triangles × lattice lines
   std::size_t surface_cells = 0, complex_cells = 0;

@@ -14,13 +14,13 @@ namespace {
 enum class Touch { outside, partly, inside };
 
 /// Whether the triangle's cells are all outside the region, all in it, or both.
-Touch touch(const CutInput& in, const std::vector<char>& vertex_in, std::uint32_t t) {
+Touch touch(const Detected& in, const std::vector<char>& vertex_in, std::uint32_t t) {
   const Triangle& v = in.mesh.triangles[t];
   const auto& at = in.crossings.vertex_cell;
   if (at[v[0]] == at[v[1]] && at[v[1]] == at[v[2]])
     return vertex_in[v[0]] != 0 ? Touch::inside : Touch::outside;  // most triangles of a fine mesh
   bool some = false, all = true;
-  for_each_cell(in.mesh, in.crossings, t, [&](LatticeId cell) {
+  for_each_cell(in.crossed(), t, [&](LatticeId cell) {
     const bool held = in.region.holds(cell);
     some |= held;
     all &= held;
@@ -32,11 +32,11 @@ Touch touch(const CutInput& in, const std::vector<char>& vertex_in, std::uint32_
 /// neighbour.
 class Cutter {
  public:
-  Cutter(const CutInput& input, const CutOptions& options, Sites& sites)
-      : in_(input),
+  Cutter(const CutOptions& options, Sites& sites)
+      : in_(sites.detected()),
         options_(options),
         sites_(sites),
-        inserted_(input.crossings.edge_crossings.size(), 0) {
+        inserted_(in_.crossings.edge_crossings.size(), 0) {
     std::vector<char> vertex_in;  // whether each vertex is in the region
     vertex_in.reserve(in_.crossings.vertex_cell.size());
     for (const Index3& cell : in_.crossings.vertex_cell)
@@ -51,7 +51,7 @@ class Cutter {
     for (const auto& [t, unused] : split_) insert_all(t);
   }
 
-  CutMesh run() {
+  CutMesh cut_mesh() {
     for (std::size_t next = 0; next < waiting_.size(); ++next) cut_triangle(waiting_[next]);
     CutMesh result;
     for (const std::uint32_t t : inside_)
@@ -75,11 +75,10 @@ class Cutter {
   };
 
   void cut_triangle(std::uint32_t t) {
-    const TrianglePieces pieces =
-        triangle_pieces(in_.mesh, t, in_.lattice, in_.oracle, in_.crossings);
-    KeptPieces kept(in_, t, pieces, sites_);
+    const TrianglePieces pieces = triangle_pieces(in_.crossed(), t);
+    KeptPieces kept(pieces, sites_, Part::outside);
     std::optional<KeptPieces> dropped;
-    if (options_.inside == Inside::made) dropped.emplace(in_, t, pieces, sites_, Part::inside);
+    if (options_.inside == Inside::made) dropped.emplace(pieces, sites_, Part::inside);
     if (!split_.contains(t)) {
       if (auto merged = merge(kept, dropped)) {
         done_[t] = std::move(*merged);
@@ -118,7 +117,7 @@ class Cutter {
     }
   }
 
-  const CutInput& in_;
+  const Detected& in_;
   CutOptions options_;
   Sites& sites_;
   std::vector<char> inserted_;  // by edge crossing: a vertex although no region boundary is there
@@ -129,8 +128,6 @@ class Cutter {
 
 }  // namespace
 
-CutMesh cut(const CutInput& input, const CutOptions& options, Sites& sites) {
-  return Cutter(input, options, sites).run();
-}
+CutMesh cut(const CutOptions& options, Sites& sites) { return Cutter(options, sites).cut_mesh(); }
 
 }  // namespace suture::surgery

@@ -1,23 +1,15 @@
-// The mesh cut along the region's boundary; what lies in the region is dropped [§6.1 steps 1, 2 and
-// 4].
+// The mesh cut along the region's boundary; the parts in the region are dropped [§6.1 steps 1, 2
+// and 4].
 #pragma once
 
 #include <vector>
 
 #include "surgery/operate/sites.h"
-#include "surgery/operate/triangle_pieces.h"
 
 namespace suture::surgery {
 
-/// A directed segment on face `face` of a region cell (2·axis, + 1 for the upper one), as the patch
-/// in the cell has it: seen from outside the cell, the material is on its right.
-struct Arc {
-  LatticeId cell;
-  int face;
-  std::uint32_t from, to;  ///< sites
-};
-
-/// The old mesh without its touched triangles, and what replaces the parts of them that are kept.
+/// The triangles to take out of the old mesh, and those that replace the parts of them that are
+/// kept.
 struct CutMesh {
   std::vector<std::uint32_t> touched;  ///< triangles to remove, in order
   std::vector<Triangle> kept;          ///< sites: the touched triangles' parts outside the region
@@ -27,7 +19,7 @@ struct CutMesh {
   std::vector<Triangle> dropped;       ///< sites: the other parts in the region, if asked for
 };
 
-/// How far a cut triangle's pieces are merged into polygons.
+/// Whether a cut triangle's pieces are merged into polygons.
 enum class Pieces {
   merged,  ///< where that is safe: few new triangles, proved only up to rounded orientation tests
   cell_by_cell  ///< one polygon a cell, everywhere: proved without any rounding
@@ -41,15 +33,8 @@ struct CutOptions {
   Inside inside = Inside::dropped;
 };
 
-struct CutInput {
-  const Incidence& mesh;
-  const Lattice& lattice;
-  const Oracle& oracle;
-  const Crossings& crossings;
-  const Region& region;
-};
-
-/// \throw InternalFailure as triangle_pieces
-CutMesh cut(const CutInput& input, const CutOptions& options, Sites& sites);
+/// Cuts the mesh of the findings that the sites belong to. \throw InternalFailure as
+/// triangle_pieces
+CutMesh cut(const CutOptions& options, Sites& sites);
 
 }  // namespace suture::surgery

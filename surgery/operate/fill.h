@@ -3,7 +3,6 @@
 
 #include <vector>
 
-#include "surgery/operate/cut.h"
 #include "surgery/operate/sites.h"
 
 namespace suture::surgery {
@@ -18,8 +17,7 @@ struct Patch {
 /// squares on interior ones, where inside corners of an ambiguous face are kept apart in both
 /// cells. Adds the sites of isosurface vertices, unplaced. \throw InternalFailure if the windings
 /// contradict the crossings
-std::vector<Arc> gather_arcs(std::vector<Arc> boundary, const Region& region,
-                             const Winding& winding, Sites& sites);
+std::vector<Arc> gather_arcs(std::vector<Arc> boundary, Sites& sites);
 
 /// Links the arcs of each cell to loops and triangulates them; no diagonal joins two vertices of
 /// one lattice face. \pre every site has its position \throw InternalFailure if arcs do not close

@@ -21,7 +21,7 @@ struct NearCells {
   }
 };
 
-NearCells near_cells(const TrianglePieces& pieces, std::uint32_t site, const CutInput& in) {
+NearCells near_cells(const TrianglePieces& pieces, std::uint32_t site, const Detected& in) {
   NearCells near;
   if (pieces.is_corner(site)) return near;
   if (pieces.is_edge_site(site)) {
@@ -43,10 +43,9 @@ int edges_at(const TrianglePieces& pieces, std::uint32_t site) {
 
 }  // namespace
 
-KeptPieces::KeptPieces(const CutInput& input, std::uint32_t triangle, const TrianglePieces& pieces,
-                       Sites& sites, Part part)
-    : in_(input),
-      triangle_(triangle),
+KeptPieces::KeptPieces(const TrianglePieces& pieces, Sites& sites, Part part)
+    : in_(sites.detected()),
+      triangle_(pieces.triangle),
       pieces_(pieces),
       sites_(sites),
       part_(part),

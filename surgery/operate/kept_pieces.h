@@ -1,4 +1,4 @@
-// What one cut triangle keeps: its pieces outside the region, as triangles, and the arcs it leaves.
+// The part of one cut triangle outside the region, as triangles, and the arcs that it leaves there.
 #pragma once
 
 #include <optional>
@@ -6,30 +6,31 @@
 #include <utility>
 #include <vector>
 
-#include "surgery/operate/cut.h"
+#include "surgery/operate/sites.h"
+#include "surgery/operate/triangle_pieces.h"
 #include "surgery/operate/triangulate.h"
 
 namespace suture::surgery {
 
-/// On which side of the region's boundary pieces lie.
+/// The side of the region's boundary that pieces lie on.
 enum class Part { outside, inside };
 
 /// The pieces of one triangle outside the region (or, with Part::inside, those in it). All results
 /// name vertices by site.
 class KeptPieces {
  public:
-  KeptPieces(const CutInput& input, std::uint32_t triangle, const TrianglePieces& pieces,
-             Sites& sites, Part part = Part::outside);
+  KeptPieces(const TrianglePieces& pieces, Sites& sites, Part part);
 
-  /// Pieces merged across lattice faces where both cells are outside the region. Vertices on mesh
-  /// edges: corners, crossings of the region's boundary, and those that `inserted` names. Nothing
-  /// where no safe triangulation exists: a diagonal must not join two vertices of one mesh edge nor
-  /// two that a patch could join too (both on one region cell) or, inside, that `avoid` has
-  /// seen joined, and all triangles must keep the orientation.
+  /// The pieces merged across lattice faces where both cells are outside the region. Vertices on
+  /// mesh edges: corners, crossings of the region's boundary, and those that `inserted` names.
+  /// Nothing where no safe triangulation exists: a diagonal must not join two vertices of one mesh
+  /// edge nor two that a patch could join too (both on one region cell) or, inside, that `avoid`
+  /// has seen joined, and all triangles must keep the orientation.
   std::optional<std::vector<Triangle>> merged(const std::vector<char>& inserted);
 
-  /// Edges of what the parts outside became: pieces inside may not have them as diagonals. (On a
-  /// triangle aligned with the lattice both could run along one line.) \pre Part::inside
+  /// Pieces inside may not have the edges of these triangles, which the parts outside became, as
+  /// diagonals. (On a triangle aligned with the lattice both could run along one line.)
+  /// \pre Part::inside
   void avoid(const std::vector<Triangle>& outside);
 
   /// One polygon a cell, with every crossing a vertex.
@@ -56,7 +57,7 @@ class KeptPieces {
   bool is_too_long(std::size_t corners) const;
   std::uint32_t global(std::uint32_t local);
 
-  const CutInput& in_;
+  const Detected& in_;
   std::uint32_t triangle_;
   const TrianglePieces& pieces_;
   Sites& sites_;

@@ -1,4 +1,4 @@
-// Incidence is settled before any of these numbers exists, so they can only affect shape.
+// Incidence is decided before any of these numbers exists, so they can only affect shape.
 #include "surgery/operate/placement.h"
 
 #include <algorithm>
@@ -18,8 +18,9 @@ double zero_of_distance(const Site& site, const Lattice& lattice, const Distance
   return x + t * (y - x);
 }
 
-double inside_crossing(const Site& site, const Crossings& crossings, const Winding& winding,
-                       const Sites& sites) {
+double inside_crossing(const Site& site, const Sites& sites) {
+  const Crossings& crossings = sites.detected().crossings;
+  const Winding& winding = sites.detected().winding;
   const CrossedEdge& edge = *winding.edge(site.axis, unpack(site.at));
   std::vector<std::pair<double, int>> along;  // position, change of winding
   for (std::uint32_t i = edge.first; i < edge.first + edge.count; ++i) {
@@ -38,14 +39,14 @@ double inside_crossing(const Site& site, const Crossings& crossings, const Windi
 
 }  // namespace
 
-void place_isosurface(Placement placement, const Crossings& crossings, const Winding& winding,
-                      const Lattice& lattice, const DistanceField& distance, Sites& sites) {
+void place_isosurface(Placement placement, const DistanceField& distance, Sites& sites) {
+  const Lattice& lattice = sites.detected().on.lattice;
   for (std::uint32_t s = 0; s < sites.all().size(); ++s) {
     Site& site = sites[s];
     if (site.kind != SiteKind::isosurface) continue;
     const double x = placement == Placement::distance_field
                          ? zero_of_distance(site, lattice, distance)
-                         : inside_crossing(site, crossings, winding, sites);
+                         : inside_crossing(site, sites);
     const int k = unpack(site.at)[site.axis];
     site.position[site.axis] =
         clamp_to_cell(x, lattice.plane(site.axis, k), lattice.plane(site.axis, k + 1));

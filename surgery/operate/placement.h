@@ -1,4 +1,4 @@
-// Where the fill's own vertices go along their lattice edges [§6.1 step 5].
+// The fill's own vertices are placed along their lattice edges [§6.1 step 5].
 #pragma once
 
 #include "surgery/detect/distance_field.h"
@@ -11,7 +11,6 @@ namespace suture::surgery {
 /// or the mesh's own crossing from outside to inside (the middle one where there are several).
 /// Positions are clamped to the doubles of their lattice edge. `distance` is read for the former
 /// only.
-void place_isosurface(Placement placement, const Crossings& crossings, const Winding& winding,
-                      const Lattice& lattice, const DistanceField& distance, Sites& sites);
+void place_isosurface(Placement placement, const DistanceField& distance, Sites& sites);
 
 }  // namespace suture::surgery

@@ -1,4 +1,4 @@
-// Where the vertices of the new surface lie: identity by site, never by coordinates [§6.1 steps 1,
+// The places of the new surface's vertices: identity by site, never by coordinates [§6.1 steps 1,
 // 2, 5].
 #pragma once
 
@@ -6,9 +6,7 @@
 #include <map>
 #include <vector>
 
-#include "surgery/detect/crossings.h"
 #include "surgery/detect/region.h"
-#include "surgery/detect/winding.h"
 
 namespace suture::surgery {
 
@@ -28,23 +26,33 @@ struct Site {
   Point position = Point::Zero();
 };
 
+/// A directed segment on face `face` of a region cell (2·axis, + 1 for the upper one), as the patch
+/// in the cell has it: seen from outside the cell, the material is on its right.
+struct Arc {
+  LatticeId cell;
+  int face;
+  std::uint32_t from, to;  ///< sites
+};
+
 /// Hands out one number for each site and constructs its position once, correctly rounded unless
 /// the arithmetic is `rounded`.
 class Sites {
  public:
-  Sites(const Incidence& mesh, const Lattice& lattice, const Crossings& crossings,
-        const Winding& winding, const Region& region, Arithmetic arithmetic = Arithmetic::filtered);
+  explicit Sites(const Detected& detected, Arithmetic arithmetic = Arithmetic::filtered);
 
   std::uint32_t corner(std::uint32_t vertex);
   /// \param mesh_edge the edge that crossing `crossing` is on
   std::uint32_t type2(std::uint32_t crossing, std::uint32_t mesh_edge);
-  /// The crossing of `triangle` with a lattice edge.
+  /// The site where `triangle` crosses a lattice edge.
   std::uint32_t type1(int axis, LatticeId edge, std::uint32_t triangle);
   /// The site on a lattice edge of the region that parts inside from outside: type 1 where the edge
   /// is on the region's boundary, an isosurface vertex (not yet placed) where all four cells are in
   /// it. \throw InternalFailure if a boundary edge is not crossed exactly once
   std::uint32_t on_lattice_edge(int axis, LatticeId edge);
   std::uint32_t centroid(const Point& position);
+
+  /// The findings that the sites belong to.
+  const Detected& detected() const { return in_; }
 
   const std::vector<Site>& all() const { return sites_; }
   Site& operator[](std::uint32_t id) { return sites_[id]; }
@@ -53,20 +61,16 @@ class Sites {
   /// Whether a type 2 site is on the region's boundary; else it was only inserted to split a
   /// triangle.
   bool at_boundary(const Site& type2) const {
-    return region_.holds(type2.at) != region_.holds(step(type2.at, type2.axis, -1));
+    return in_.region.holds(type2.at) != in_.region.holds(step(type2.at, type2.axis, -1));
   }
 
-  /// Where `triangle` meets the line of a lattice edge, clamped to the edge.
+  /// The point where `triangle` meets the line of a lattice edge, clamped to the edge.
   Point crossing_position(int axis, LatticeId edge, std::uint32_t triangle) const;
 
  private:
   std::uint32_t add(Site site);
 
-  const Incidence& mesh_;
-  const Lattice& lattice_;
-  const Crossings& crossings_;
-  const Winding& winding_;
-  const Region& region_;
+  Detected in_;
   Arithmetic arithmetic_;
   std::vector<Site> sites_;
   SparseField<std::uint32_t> corners_, type2_;         // number + 1; 0 is "none yet"

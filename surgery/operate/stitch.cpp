@@ -1,4 +1,4 @@
-// In place, with Euler::remove_face and add_face only; each vertex is found by its site's number.
+// Euler::remove_face and add_face change the mesh in place; each vertex is found by its site.
 #include "surgery/operate/stitch.h"
 
 #include <CGAL/boost/graph/Euler_operations.h>

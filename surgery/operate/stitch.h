@@ -10,7 +10,7 @@
 
 namespace suture::surgery {
 
-/// Vertices that sewing made, by kind; of type 2 those on the region's boundary.
+/// The vertices that sewing made, by kind; of type 2 those on the region's boundary.
 struct StitchedVertices {
   std::vector<Mesh::Vertex_index> type1, type2, isosurface;
 };
@@ -31,6 +31,8 @@ class Sewing {
   /// The vertex that stands for a site. \pre some triangle has named it
   Mesh::Vertex_index vertex(std::uint32_t site) const { return vertex_[site]; }
   const StitchedVertices& made() const { return made_; }
+  Mesh& mesh() const { return mesh_; }
+  const Sites& sites() const { return sites_; }
 
  private:
   Mesh::Vertex_index make(const Site& site);

@@ -19,15 +19,12 @@ struct PlanePath {
 
 class Walk {
  public:
-  Walk(const Incidence& mesh, std::uint32_t triangle, const Lattice& lattice, const Oracle& oracle,
-       const Crossings& crossings)
-      : mesh_(mesh),
-        triangle_(triangle),
-        lattice_(lattice),
-        oracle_(oracle),
-        crossings_(crossings) {}
+  Walk(const CrossedMesh& in, std::uint32_t triangle)
+      : in_(in), mesh_(in.mesh), crossings_(in.crossings), triangle_(triangle) {
+    out_.triangle = triangle;
+  }
 
-  TrianglePieces run() {
+  TrianglePieces pieces() {
     out_.sides.reserve(32);
     walk_edges();
     walk_planes();
@@ -81,12 +78,12 @@ class Walk {
         lattice_triangle(mesh_.positions[v[0]], mesh_.positions[v[1]], mesh_.positions[v[2]]);
     TrianglePlanes planes;
     for (int axis = 0; axis < 3; ++axis) {
-      triangle_planes(mesh_, crossings_, triangle_, axis, planes);
+      planes.find(in_, triangle_, axis);
       for (const PlaneEnds& ends : planes.ends) {
         const LatticeId from = crossings_.edge_crossings[ends.up].face;
         const LatticeId to = crossings_.edge_crossings[ends.down].face;
         const std::size_t begin = steps_.size();
-        plane_path(shape, axis, unpack(from), unpack(to), lattice_, oracle_, steps_);
+        plane_path({shape, axis, unpack(from), unpack(to)}, in_.on, steps_);
         paths_.push_back({axis, local(ends.up), local(ends.down), from, begin, steps_.size()});
       }
     }
@@ -165,11 +162,10 @@ class Walk {
     fail("a side has no twin in the neighbouring cell");
   }
 
+  const CrossedMesh& in_;
   const Incidence& mesh_;
-  std::uint32_t triangle_;
-  const Lattice& lattice_;
-  const Oracle& oracle_;
   const Crossings& crossings_;
+  std::uint32_t triangle_;
   TrianglePieces out_;
   std::array<std::uint32_t, 3> first_site_{};  // of each edge; its crossings follow in order
   std::vector<PlanePath> paths_;
@@ -178,10 +174,8 @@ class Walk {
 
 }  // namespace
 
-TrianglePieces triangle_pieces(const Incidence& mesh, std::uint32_t triangle,
-                               const Lattice& lattice, const Oracle& oracle,
-                               const Crossings& crossings) {
-  return Walk(mesh, triangle, lattice, oracle, crossings).run();
+TrianglePieces triangle_pieces(const CrossedMesh& in, std::uint32_t triangle) {
+  return Walk(in, triangle).pieces();
 }
 
 }  // namespace suture::surgery

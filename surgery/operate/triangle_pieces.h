@@ -4,11 +4,10 @@
 #include <vector>
 
 #include "surgery/detect/crossings.h"
-#include "surgery/detect/region.h"
 
 namespace suture::surgery {
 
-/// "No cell": what lies across a side that is on a mesh edge.
+/// The cell across a side that is on a mesh edge: none.
 inline constexpr LatticeId kNoCell = ~LatticeId{0};
 
 /// A directed side of a piece; the piece is on its left. Sites are numbered within the triangle.
@@ -23,6 +22,7 @@ struct PieceSide {
 
 /// Pieces of one triangle. Local sites: corners 0 to 2, then its edges' crossings, then its lines'.
 struct TrianglePieces {
+  std::uint32_t triangle = 0;
   std::vector<PieceSide> sides;  ///< grouped by cell
   struct EdgeSite {
     std::uint32_t crossing;  ///< index of edge_crossings
@@ -45,8 +45,6 @@ struct TrianglePieces {
 
 /// Walks the triangle's lattice paths. Each piece's sides form one cycle of at least three.
 /// \throw InternalFailure where they do not (no exact oracle does that)
-TrianglePieces triangle_pieces(const Incidence& mesh, std::uint32_t triangle,
-                               const Lattice& lattice, const Oracle& oracle,
-                               const Crossings& crossings);
+TrianglePieces triangle_pieces(const CrossedMesh& in, std::uint32_t triangle);
 
 }  // namespace suture::surgery

@@ -74,7 +74,8 @@ std::vector<Point> normalised(std::span<const Point> points) {
   return result;
 }
 
-/// Corners seen along the normal's longest axis, so that the region is on the left of its boundary.
+/// The corners as seen along the normal's longest axis, so that the region is on the left of its
+/// boundary.
 std::vector<Kernel::Point_2> flattened(const PlanarRegion& region) {
   Eigen::Index drop = 0;
   region.normal.cwiseAbs().maxCoeff(&drop);
@@ -86,9 +87,9 @@ std::vector<Kernel::Point_2> flattened(const PlanarRegion& region) {
   return flat;
 }
 
-/// A single loop without repeated corners: least sum of squared edges, no triangle turned right.
-/// Corners that share a line or a place, as a mesh aligned with the lattice has them, give some
-/// without area.
+/// Triangulates a single loop without repeated corners: least sum of squared edges, no triangle
+/// turned right. Corners that share a line or a place, as a mesh aligned with the lattice has them,
+/// give some without area.
 std::optional<std::vector<Triangle>> triangulate_simple(const PlanarRegion& region,
                                                         const std::vector<Kernel::Point_2>& flat,
                                                         const Forbidden& forbidden) {
@@ -113,12 +114,18 @@ std::optional<std::vector<Triangle>> triangulate_simple(const PlanarRegion& regi
   return found;
 }
 
-/// Marks the faces on the left of the boundary; nothing where a boundary edge was split or is
-/// missing.
-std::optional<std::vector<Triangle>> left_faces(const Delaunay& delaunay,
+/// A triangulation, and its vertex for each corner of the region.
+struct NumberedDelaunay {
+  Delaunay delaunay;
+  std::vector<Delaunay::Vertex_handle> handle;
+};
+
+/// Marks the faces on the left of the boundary. \return nothing where a boundary edge was split or
+/// is missing
+std::optional<std::vector<Triangle>> left_faces(const NumberedDelaunay& numbered,
                                                 const PlanarRegion& region,
-                                                const std::vector<Delaunay::Vertex_handle>& handle,
                                                 const Forbidden& forbidden) {
+  const auto& [delaunay, handle] = numbered;
   std::vector<Delaunay::Face_handle> open;
   std::set<std::pair<std::uint32_t, std::uint32_t>> boundary;
   for (const auto& loop : region.loops)
@@ -154,8 +161,9 @@ std::optional<std::vector<Triangle>> left_faces(const Delaunay& delaunay,
 std::optional<std::vector<Triangle>> triangulate_general(const PlanarRegion& region,
                                                          const std::vector<Kernel::Point_2>& flat,
                                                          const Forbidden& forbidden) {
-  Delaunay delaunay;
-  std::vector<Delaunay::Vertex_handle> handle(flat.size());
+  NumberedDelaunay numbered;
+  auto& [delaunay, handle] = numbered;
+  handle.resize(flat.size());
   for (std::uint32_t i = 0; i < flat.size(); ++i) {
     const std::size_t before = delaunay.number_of_vertices();
     handle[i] = delaunay.insert(flat[i]);
@@ -170,7 +178,7 @@ std::optional<std::vector<Triangle>> triangulate_general(const PlanarRegion& reg
     return std::nullopt;
   }
   for (const auto face : delaunay.all_face_handles()) face->info() = 0;
-  return left_faces(delaunay, region, handle, forbidden);
+  return left_faces(numbered, region, forbidden);
 }
 
 }  // namespace

@@ -10,7 +10,7 @@
 
 namespace suture::surgery {
 
-/// Whether two corners of a polygon, not neighbours on it, may not be joined.
+/// Says whether two corners of a polygon, not neighbours on it, may not be joined.
 using Forbidden = std::function<bool(std::uint32_t, std::uint32_t)>;
 
 /// Above this many corners a loop is not worth O(n³) time: 64 cost about 45,000 triangle areas.

@@ -9,7 +9,7 @@
 #include <cmath>
 #include <limits>
 
-#include "surgery/quality/vertex_normal.h"
+#include "surgery/quality/shape.h"
 
 namespace suture::surgery {
 

@@ -35,8 +35,9 @@ bool makes_crease(const LocalChange& change, const CollapseRules& rules) {
   return is < std::max(rules.cos_feature, 0.) && is < was;
 }
 
-Refusal may_flip(const Mesh& mesh, Mesh::Halfedge_index h, const LocalChange& change,
-                 const CollapseRules& rules) {
+Refusal may_flip(const Improvement& work, Mesh::Halfedge_index h, const LocalChange& change) {
+  const Mesh& mesh = work.mesh;
+  const CollapseRules rules = work.rules_at(h);
   const auto c = mesh.target(mesh.next(h)), d = mesh.target(mesh.next(mesh.opposite(h)));
   if (c == d || mesh.halfedge(c, d).is_valid()) return Refusal::link;
   const Refusal refusal = judge(change, rules);
@@ -49,7 +50,7 @@ Refusal may_flip(const Mesh& mesh, Mesh::Halfedge_index h, const LocalChange& ch
 /// starts from: flips for it could go round in circles.
 constexpr double kLeastGain = 1e-12;
 
-/// Flips that edge of `f` which gains the most, if any may be flipped.
+/// The edge of `f` whose flip gains the most, if any may be flipped.
 Mesh::Halfedge_index best_flip(Improvement& work, Mesh::Face_index f) {
   auto best = Mesh::null_halfedge();
   double best_gain = kLeastGain;
@@ -58,7 +59,7 @@ Mesh::Halfedge_index best_flip(Improvement& work, Mesh::Face_index f) {
     const LocalChange change = flip_change(work.mesh, h);
     const double gain = worst_after(change) - worst_before(change);
     if (!(gain > best_gain)) continue;
-    if (may_flip(work.mesh, h, change, work.rules_at(h)) == Refusal::none) {
+    if (may_flip(work, h, change) == Refusal::none) {
       best = h;
       best_gain = gain;
     } else {
@@ -97,6 +98,39 @@ std::size_t flip_bad_edges(Improvement& work) {
   return done;
 }
 
+namespace {
+
+/// The foot of the obtuse corner on its triangle's longest edge `h`, or on the surface over it.
+Point foot_on(const Improvement& work, Mesh::Halfedge_index h) {
+  const Mesh& mesh = work.mesh;
+  const Point a = to_point(mesh.point(mesh.source(h)));
+  const Point along = to_point(mesh.point(mesh.target(h))) - a;
+  const Point apex = to_point(mesh.point(mesh.target(mesh.next(h))));
+  const double part = along.dot(apex - a) / along.squaredNorm();
+  const bool fitted = work.options.subdivision == Subdivision::fitted;
+  return fitted ? surface_point(work, h, part) : Point(a + along * part);
+}
+
+/// Splits `h` at the foot and collapses the obtuse corner onto it, if that is allowed and leaves no
+/// angle with a sine as small as `sine`; else takes the split back. \return whether it was done
+bool flatten_onto(Improvement& work, Mesh::Halfedge_index h, double sine) {
+  Mesh& mesh = work.mesh;
+  const Point foot = foot_on(work, h);
+  if (judge(split_change(mesh, h, foot), work.rules_at(h)) != Refusal::none) return false;
+  const double scale = work.scale(h);
+  const auto stay = mesh.source(h);
+  const auto moved = mesh.target(mesh.next(h));
+  const auto v = split_edge(mesh, h, foot);
+  if (work.options.chord_error > 0) work.scales[v] = scale;
+  const auto drop = mesh.halfedge(moved, v);
+  const bool done = worst_after(collapse_change(mesh, {drop, foot})) > sine &&
+                    may_collapse(mesh, drop, work.rules_at(drop)) == Refusal::none;
+  collapse(mesh, done ? drop : mesh.halfedge(v, stay));
+  return done;
+}
+
+}  // namespace
+
 std::size_t flatten_caps(Improvement& work) {
   Mesh& mesh = work.mesh;
   std::size_t done = 0;
@@ -104,31 +138,9 @@ std::size_t flatten_caps(Improvement& work) {
   for (Mesh::size_type i = 0; i < count; ++i) {
     const Mesh::Face_index f(i);
     if (mesh.is_removed(f)) continue;
-    const Corners t = corners(mesh, f);
-    const Shape shape = shape_of(t);
+    const Shape shape = shape_of(mesh, f);
     if (!is_bad(shape, work) || shape.largest_cosine >= 0) continue;
-    const auto h = halfedge_of(mesh, f, shape.longest);
-    const Point a = to_point(mesh.point(mesh.source(h)));
-    const Point along = to_point(mesh.point(mesh.target(h))) - a;
-    const Point apex = to_point(mesh.point(mesh.target(mesh.next(h))));
-    const double part = along.dot(apex - a) / along.squaredNorm();
-    const bool fitted = work.options.subdivision == Subdivision::fitted;
-    const Point foot = fitted ? surface_point(work, h, part) : Point(a + along * part);
-    if (judge(split_change(mesh, h, foot), work.rules_at(h)) != Refusal::none) continue;
-    const double scale = work.scale(h);
-    const auto stay = mesh.source(h);
-    const auto moved = mesh.target(mesh.next(h));
-    const auto v = split_edge(mesh, h, foot);
-    if (work.options.chord_error > 0) work.scales[v] = scale;
-    const auto drop = mesh.halfedge(moved, v);
-    const LocalChange change = collapse_change(mesh, drop, foot);
-    if (worst_after(change) > shape.smallest_sine &&
-        may_collapse(mesh, drop, work.rules_at(drop)) == Refusal::none) {
-      collapse(mesh, drop);
-      ++done;
-    } else {
-      collapse(mesh, mesh.halfedge(v, stay));
-    }
+    if (flatten_onto(work, halfedge_of(mesh, f, shape.longest), shape.smallest_sine)) ++done;
   }
   work.report.flattened += done;
   return done;

@@ -14,12 +14,10 @@ namespace {
 
 constexpr double kDegree = std::numbers::pi / 180;
 
-CollapseRules rules_for(const QualityOptions& options, const Lattice* lattice,
-                        const Oracle* oracle) {
+CollapseRules rules_for(const QualityOptions& options, const ShiftedLattice* nodes) {
   const double length = options.edge_length;
   CollapseRules rules;
-  rules.lattice = lattice;
-  rules.oracle = oracle;
+  rules.nodes = nodes;
   rules.cos_turn = std::cos(options.turn_bound * kDegree);
   rules.volume_bound = options.volume_bound * length * length * length;
   rules.cos_feature = options.keep_features ? std::cos(options.feature_angle * kDegree) : -2;
@@ -43,8 +41,7 @@ void measure(const Mesh& mesh, QualityReport& report) {
 
 }  // namespace
 
-QualityReport improve(Mesh& mesh, const QualityOptions& options, const Lattice* lattice,
-                      const Oracle* oracle) {
+QualityReport improve(Mesh& mesh, const QualityOptions& options, const ShiftedLattice* nodes) {
   if (!(options.edge_length > 0) || !std::isfinite(options.edge_length))
     throw InvalidInput(
         "mesh improvement needs an edge length that is finite and above zero; set "
@@ -56,7 +53,7 @@ QualityReport improve(Mesh& mesh, const QualityOptions& options, const Lattice* 
 
   Improvement work{mesh,
                    options,
-                   rules_for(options, lattice, oracle),
+                   rules_for(options, nodes),
                    options.longest * options.edge_length,
                    options.shortest * options.edge_length,
                    std::sin(options.smallest_angle * kDegree),

@@ -1,11 +1,11 @@
-// The parts of mesh improvement, each a sweep over the mesh [§6.2]; `improve` puts them in order.
+// The passes of mesh improvement over the whole mesh [§6.2]; `improve` puts them in order.
 #pragma once
 
 #include <algorithm>
 
-#include "surgery/collapse/features.h"
+#include "surgery/collapse/edge_collapse.h"
 #include "surgery/model/options.h"
-#include "surgery/model/report.h"
+#include "surgery/quality/shape.h"
 
 namespace suture::surgery {
 
@@ -17,7 +17,7 @@ inline constexpr double kFeatureScale = 0.5;
 /// A triangle lower than this × edge_length counts as a sliver, whose normal says nothing.
 inline constexpr double kSliverHeight = 1e-3;
 
-/// What the sweeps share: the mesh, the limits in the scene's unit, and the counts.
+/// One improvement, shared by its passes: the mesh, the limits in the scene's unit, the counts.
 struct Improvement {
   Mesh& mesh;
   const QualityOptions& options;
@@ -25,41 +25,23 @@ struct Improvement {
   double longest, shortest;  ///< lengths
   double sin_smallest_angle, cos_largest_angle;
   QualityReport& report;
-  /// × the lengths, at each vertex: below 1 where curvature asks for shorter edges. Not there where
-  /// options.chord_error is 0.
+  /// Factor of the lengths at each vertex: below 1 where curvature asks for shorter edges. Not
+  /// there where options.chord_error is 0.
   Mesh::Property_map<Mesh::Vertex_index, double> scales{};
 
-  /// The lesser of an edge's ends.
+  /// The lesser factor of an edge's ends.
   double scale(Mesh::Halfedge_index h) const {
     return options.chord_error > 0 ? std::min(scales[mesh.source(h)], scales[mesh.target(h)]) : 1;
   }
-  /// The rules for what is done at an edge, whose bounds go with the lengths there.
+  /// The rules at an edge, whose bounds go with the lengths there.
   CollapseRules rules_at(Mesh::Halfedge_index h) const;
 };
 
 /// Sets improvement.scales by the curvature at each vertex. \pre options.chord_error > 0
 void set_scales(Improvement& improvement);
 
-/// Extent and shape of a triangle, all that decides whether it is bad.
-struct Shape {
-  double smallest_sine = 0;       ///< of its smallest angle; 0 without area
-  double largest_cosine = -1;     ///< of its largest angle; -1 without area
-  int longest = 0, shortest = 0;  ///< edges, from corner i to i + 1
-};
-Shape shape_of(const Corners& t);
-
+/// Whether an angle is out of bounds.
 bool is_bad(const Shape& shape, const Improvement& improvement);
-
-/// The halfedge of `f` from its corner i to i + 1, corners as corners() gives them.
-Mesh::Halfedge_index halfedge_of(const Mesh& mesh, Mesh::Face_index f, int i);
-
-Shape shape_of(const Mesh& mesh, Mesh::Face_index f);
-
-/// Smallest sine of any angle of the triangles before, or after.
-double worst_before(const LocalChange& change);
-double worst_after(const LocalChange& change);
-
-double length_of(const Mesh& mesh, Mesh::Halfedge_index h);
 
 /// Splits the edge of `h` at `at` and the two triangles beside it. \return the new vertex
 Mesh::Vertex_index split_edge(Mesh& mesh, Mesh::Halfedge_index h, const Point& at);

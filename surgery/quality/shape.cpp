@@ -1,10 +1,8 @@
-// Whether a triangle is bad, and what one split is [§6.2].
-#include <CGAL/boost/graph/Euler_operations.h>
+// Angles by their sines and cosines, from an area and three lengths [§6.2].
+#include "surgery/quality/shape.h"
 
 #include <algorithm>
 #include <cmath>
-
-#include "surgery/quality/passes.h"
 
 namespace suture::surgery {
 
@@ -28,11 +26,6 @@ Shape shape_of(const Corners& t) {
 
 Shape shape_of(const Mesh& mesh, Mesh::Face_index f) { return shape_of(corners(mesh, f)); }
 
-bool is_bad(const Shape& shape, const Improvement& improvement) {
-  return shape.smallest_sine < improvement.sin_smallest_angle ||
-         shape.largest_cosine < improvement.cos_largest_angle;
-}
-
 Mesh::Halfedge_index halfedge_of(const Mesh& mesh, Mesh::Face_index f, int i) {
   auto h = mesh.halfedge(f);
   for (; i > 0; --i) h = mesh.next(h);
@@ -55,25 +48,16 @@ double length_of(const Mesh& mesh, Mesh::Halfedge_index h) {
   return (to_point(mesh.point(mesh.target(h))) - to_point(mesh.point(mesh.source(h)))).norm();
 }
 
-Mesh::Vertex_index split_edge(Mesh& mesh, Mesh::Halfedge_index h, const Point& at) {
-  const auto half = CGAL::Euler::split_edge(h, mesh);  // ends at the new vertex; h leaves it
-  const auto v = mesh.target(half);
-  mesh.point(v) = to_cgal(at);
-  CGAL::Euler::split_face(half, mesh.next(h), mesh);
-  CGAL::Euler::split_face(mesh.opposite(h), mesh.next(mesh.opposite(half)), mesh);
-  return v;
-}
-
-LocalChange split_change(const Mesh& mesh, Mesh::Halfedge_index h, const Point& at) {
-  LocalChange change;
-  for (const auto g : {h, mesh.opposite(h)}) {
-    const Point a = to_point(mesh.point(mesh.source(g))), b = to_point(mesh.point(mesh.target(g)));
-    const Point c = to_point(mesh.point(mesh.target(mesh.next(g))));
-    change.triangles.push_back({{a, b, c}, {a, at, c}});
-    change.triangles.push_back({{a, b, c}, {at, b, c}});
-    change.swept.push_back({a, b, c, at});
+Point vertex_normal(const Mesh& mesh, Mesh::Vertex_index v) {
+  Point sum = Point::Zero();
+  const Point at = to_point(mesh.point(v));
+  for (const auto h : mesh.halfedges_around_target(mesh.halfedge(v))) {
+    const Point a = to_point(mesh.point(mesh.target(mesh.next(h)))) - at;
+    const Point b = to_point(mesh.point(mesh.source(h))) - at;
+    const double weight = a.squaredNorm() * b.squaredNorm();
+    if (weight > 0) sum += a.cross(b) / weight;
   }
-  return change;
+  return sum.normalized();
 }
 
 }  // namespace suture::surgery

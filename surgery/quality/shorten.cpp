@@ -1,6 +1,7 @@
 // Short edges, and the shortest edges of bad triangles, are collapsed [§6.2].
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <queue>
 #include <tuple>
 
@@ -18,12 +19,8 @@ struct ShortEdge {
   }
 };
 
-/// One way to collapse an edge: the source of `h` goes, its target stands at `to`.
-struct Way {
-  Mesh::Halfedge_index h;
-  Point to;
-};
-using Ways = boost::container::small_vector<Way, 4>;
+/// The ways to collapse one edge.
+using Ways = boost::container::small_vector<EdgeCollapse, 4>;
 
 /// The point on the normal through the edge's middle at which the collapse leaves the volume as it
 /// is [Lindstrom and Turk 1998]; the middle itself where the star has no facing.
@@ -32,17 +29,19 @@ Point volume_keeping_point(const Mesh& mesh, Mesh::Halfedge_index h) {
   const Point middle = (p + q) / 2;
   Point facing = Point::Zero();
   double excess = 0;
-  const auto add_star = [&](Mesh::Vertex_index v, bool all) {
+  enum class Beside { added, left_out };  // the triangles beside the edge, which both stars have
+  const auto add_star = [&](Mesh::Vertex_index v, Beside beside) {
     for (const auto g : mesh.halfedges_around_target(mesh.halfedge(v))) {
-      if (!all && (mesh.face(g) == mesh.face(h) || mesh.face(g) == mesh.face(mesh.opposite(h))))
+      if (beside == Beside::left_out &&
+          (mesh.face(g) == mesh.face(h) || mesh.face(g) == mesh.face(mesh.opposite(h))))
         continue;
       const Point n = area_vector(corners(mesh, mesh.face(g)));
       facing += n;
       excess += (to_point(mesh.point(v)) - middle).dot(n);
     }
   };
-  add_star(mesh.source(h), true);
-  add_star(mesh.target(h), false);
+  add_star(mesh.source(h), Beside::added);
+  add_star(mesh.target(h), Beside::left_out);
   const double size = facing.norm(), length = (q - p).norm();
   const double offset = size > 0 ? excess / size : 0;
   // Rounding on flat ground must not lift the point off it; far away the estimate means nothing.
@@ -78,7 +77,7 @@ double longest_edge(const LocalChange& change, Corners LocalChange::Pair::*when)
   return longest;
 }
 
-/// Whether the star is left no worse than it was, or good.
+/// Whether the collapse leaves the star no worse than it was, or good.
 bool leaves_good_shapes(const Improvement& work, Mesh::Halfedge_index h,
                         const LocalChange& change) {
   double worst = std::min(worst_before(change), work.sin_smallest_angle);
@@ -90,45 +89,51 @@ bool leaves_good_shapes(const Improvement& work, Mesh::Halfedge_index h,
                       longest_edge(change, &LocalChange::Pair::before));
 }
 
-/// The first way that the rules allow and that leaves good shapes, if any; else why not.
-Refusal choose_good_way(const Improvement& work, Mesh::Halfedge_index h, const Ways& ways,
-                        Way& chosen) {
+/// The way chosen, or why none is.
+struct Choice {
+  Refusal refusal;
+  EdgeCollapse way{};
+};
+
+/// The first way that the rules allow and that leaves good shapes, if any; else the first refusal.
+Choice choose_good_way(const Improvement& work, Mesh::Halfedge_index h, const Ways& ways) {
   Refusal first = Refusal::none;
   const CollapseRules rules = work.rules_at(h);
-  for (const Way& way : ways) {
-    chosen = way;
-    Refusal refusal = may_collapse_to(work.mesh, way.h, way.to, rules);
+  for (const EdgeCollapse& way : ways) {
+    Refusal refusal = may_collapse_to(work.mesh, way, rules);
     if (refusal == Refusal::none &&
-        leaves_good_shapes(work, way.h, collapse_change(work.mesh, way.h, way.to)))
-      return Refusal::none;
+        leaves_good_shapes(work, way.h, collapse_change(work.mesh, way)))
+      return {Refusal::none, way};
     if (refusal == Refusal::none) refusal = Refusal::normal;
     if (first == Refusal::none) first = refusal;
   }
-  return first;
+  return {first};
 }
 
-bool is_allowed(const Improvement& work, const Ways& ways, const CollapseRules& rules,
-                Way& chosen) {
-  return std::any_of(ways.begin(), ways.end(), [&](const Way& way) {
-    chosen = way;
-    return may_collapse_to(work.mesh, way.h, way.to, rules) == Refusal::none;
-  });
+/// The first way that the rules allow, if any.
+std::optional<EdgeCollapse> allowed_way(const Improvement& work, const Ways& ways,
+                                        const CollapseRules& rules) {
+  for (const EdgeCollapse& way : ways)
+    if (may_collapse_to(work.mesh, way, rules) == Refusal::none) return way;
+  return std::nullopt;
 }
 
 /// An edge too short for the mesh to resolve goes even where that leaves worse shapes, or where
 /// both its ends are held by features.
-Refusal choose_way(const Improvement& work, Mesh::Halfedge_index h, Way& chosen) {
+Choice choose_way(const Improvement& work, Mesh::Halfedge_index h) {
   const Ways ways = ways_to_collapse(work, h);
-  const Refusal refusal = choose_good_way(work, h, ways, chosen);
-  if (refusal == Refusal::none) return refusal;
-  if (length_of(work.mesh, h) > kFeatureScale * work.shortest * work.scale(h)) return refusal;
-  if (is_allowed(work, ways, work.rules_at(h), chosen)) return Refusal::none;
+  const Choice good = choose_good_way(work, h, ways);
+  if (good.refusal == Refusal::none) return good;
+  if (length_of(work.mesh, h) > kFeatureScale * work.shortest * work.scale(h)) return good;
+  const CollapseRules rules = work.rules_at(h);
+  if (const auto way = allowed_way(work, ways, rules)) return {Refusal::none, *way};
   if (!leaves_feature(work.mesh, h, work.rules) ||
       !leaves_feature(work.mesh, work.mesh.opposite(h), work.rules))
-    return refusal;
-  CollapseRules relaxed = work.rules_at(h);
+    return good;
+  CollapseRules relaxed = rules;
   relaxed.cos_feature = -2;
-  return is_allowed(work, ways, relaxed, chosen) ? Refusal::none : refusal;
+  if (const auto way = allowed_way(work, ways, relaxed)) return {Refusal::none, *way};
+  return good;
 }
 
 bool is_wanted(const Improvement& work, Mesh::Halfedge_index h, double length) {
@@ -161,12 +166,11 @@ std::size_t collapse_short_edges(Improvement& work) {
     if (mesh.is_removed(next.edge)) continue;
     const auto h = mesh.halfedge(next.edge);
     if (length_of(mesh, h) != next.length || !is_wanted(work, h, next.length)) continue;
-    Way way;
-    const Refusal refusal = choose_way(work, h, way);
-    count_refusal(refused, refusal);
-    if (refusal != Refusal::none) continue;
-    const auto v = collapse(mesh, way.h);
-    mesh.point(v) = to_cgal(way.to);
+    const Choice choice = choose_way(work, h);
+    count_refusal(refused, choice.refusal);
+    if (choice.refusal != Refusal::none) continue;
+    const auto v = collapse(mesh, choice.way.h);
+    mesh.point(v) = to_cgal(choice.way.to);
     ++done;
     for (const auto g : mesh.halfedges_around_target(mesh.halfedge(v))) {
       push_if_wanted(g);

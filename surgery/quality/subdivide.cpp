@@ -7,7 +7,6 @@
 
 #include "surgery/quality/fitted_curve.h"
 #include "surgery/quality/passes.h"
-#include "surgery/quality/vertex_normal.h"
 
 namespace suture::surgery {
 
@@ -53,11 +52,11 @@ namespace {
 /// may not be split, triangles on it could be split for ever towards a third of it.
 constexpr double kShrinks = 0.95;
 
-/// Where to split: the point asked for if the rules allow it, else the middle, else off the middle,
-/// where rounding may not push a lattice node through the surface. A fitted point is where the
-/// surface is, as well as the mesh can tell: it may leave nodes on its other side and add volume,
-/// as the flow itself does. In Enright's test the middles that would take its place beside nodes,
-/// one in 600, made 9/10 of all error.
+/// The point to split at: the one asked for if the rules allow it, else the middle, else one off
+/// the middle, where rounding may not push a lattice node through the surface. A fitted point is
+/// where the surface is, as well as the mesh can tell: it may leave nodes on its other side and add
+/// volume, as the flow itself does. In Enright's test the middles that would take its place beside
+/// nodes, one in 600, made 9/10 of all error.
 std::optional<Point> choose_point(const Improvement& work, Mesh::Halfedge_index h) {
   const Mesh& mesh = work.mesh;
   const Point a = to_point(mesh.point(mesh.source(h)));
@@ -73,7 +72,7 @@ std::optional<Point> choose_point(const Improvement& work, Mesh::Halfedge_index 
   const CollapseRules strict = work.rules_at(h);
   CollapseRules loose = strict;
   if (work.options.subdivision == Subdivision::fitted) {
-    loose.lattice = nullptr;
+    loose.nodes = nullptr;
     loose.volume_bound = std::numeric_limits<double>::infinity();
   }
   const Point first = surface_point(work, h, 0.5);

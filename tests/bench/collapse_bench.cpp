@@ -43,7 +43,8 @@ EdgeCounts crossings_on_edges(const Triangles& surface, const Lattice& lattice) 
   EdgeCounts counts;
   if (surface.triangles.empty()) return counts;
   const auto oracle = make_filtered_oracle();
-  for (const LineCrossing& x : find_crossings(incidence(surface), lattice, *oracle).line_crossings)
+  for (const LineCrossing& x :
+       find_crossings(incidence(surface), {lattice, *oracle}).line_crossings)
     ++counts[x.axis][x.edge];
   return counts;
 }

@@ -6,6 +6,7 @@
 
 namespace suture {
 
+/// Its answers depend on how many it has given: no threads may share it, unlike any other oracle.
 class LyingOracle : public Oracle {
  public:
   LyingOracle(double probability, std::uint64_t seed)

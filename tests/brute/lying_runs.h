@@ -39,7 +39,7 @@ inline std::string fault_of(const Surface& surface) {
 inline bool remodel_once(Surface& surface, const TrackerOptions& options, const Oracle& oracle,
                          LyingRun& run) {
   const Triangles before = surface.triangles;
-  const SurgeryReport report = remodel(surface, options, oracle, nullptr);
+  const SurgeryReport report = remodel(surface, {options, oracle});
   run.committed += report.outcome == Outcome::committed ? 1 : 0;
   run.refused += report.outcome == Outcome::refused ? 1 : 0;
   run.unchanged += report.outcome == Outcome::unchanged ? 1 : 0;
@@ -57,7 +57,8 @@ inline bool improve_once(Surface& surface, const TrackerOptions& options, const 
   QualityOptions quality = options.quality;
   quality.edge_length = options.cell_size;
   const Lattice lattice = tracker_lattice(surface.triangles.positions, options);
-  improve(surface.mesh, quality, &lattice, &oracle);
+  const ShiftedLattice nodes{lattice, oracle};
+  improve(surface.mesh, quality, &nodes);
   surface.triangles = to_triangles(surface.mesh);
   ++run.improved;
   run.fault = fault_of(surface);

@@ -54,8 +54,8 @@ Tracked combined(int operation, const Tracked& x, const Tracked& y) {
   return {x.ball / y.ball, x.exact / y.exact};
 }
 
-/// How many of `trees` random expressions of up to eight operations leave a bound that is too
-/// small.
+/// The number of `trees` random expressions of up to eight operations that leave a bound that is
+/// too small.
 int broken_bounds(int trees, int reach) {
   Draws random(31);
   int broken = 0;

@@ -14,7 +14,7 @@ using namespace suture;
 
 namespace {
 
-/// What making an oracle says under a rounding mode, which is undone before anything is checked.
+/// The complaint about this rounding mode, which is undone before anything is checked.
 std::string complaint() {
   try {
     make_filtered_oracle();

@@ -1,5 +1,6 @@
 // The filtered oracle against its rational twin, where signs are close to call.
 #include <catch2/catch.hpp>
+#include <thread>
 
 #include "tests/brute/sign_questions.h"
 
@@ -11,7 +12,7 @@ namespace {
 // Twelve families times three predicates times these: 1,080,000 decisions.
 constexpr int kCasesAFamily = 30'000;
 
-/// What the filtered oracle and its rational twin disagree about first; empty if nothing.
+/// The first question that the filtered oracle and its rational twin disagree about, or empty.
 std::string disagreement(Decision decision, Family family) {
   Draws random(static_cast<std::uint64_t>(family) + 1);
   const auto filtered = make_filtered_oracle(), rational = make_rational_oracle();
@@ -110,16 +111,71 @@ TEST_CASE("an edge has no side only where it projects to a point") {
 TEST_CASE("the filter decides all random input and admits where it cannot") {
   Draws random(7);
   const auto oracle = make_filtered_oracle();
-  for (int i = 0; i < 10'000; ++i) {
-    const Points4 p = near_degenerate(Family::random, random);
-    oracle->triangle_side(p[0], p[1], p[2], p[3]);
-    oracle->edge_side(p[0], p[1], lattice_point(p[2], random));
+  {
+    const OracleTally tally;
+    for (int i = 0; i < 10'000; ++i) {
+      const Points4 p = near_degenerate(Family::random, random);
+      oracle->triangle_side(p[0], p[1], p[2], p[3]);
+      oracle->edge_side(p[0], p[1], lattice_point(p[2], random));
+    }
+    CHECK(tally.counts().triangle_side == 10'000);
+    CHECK(tally.counts().edge_side == 10'000);
+    CHECK(tally.counts().filter_failures == 0);
   }
-  CHECK(oracle->counts().triangle_side == 10'000);
-  CHECK(oracle->counts().edge_side == 10'000);
-  CHECK(oracle->counts().filter_failures == 0);
-  oracle->reset_counts();
+  const OracleTally tally;
   oracle->orientation({0, 0, 0}, {3, 1, 1}, {1, 3, 1}, {4, 4, 2});
-  CHECK(oracle->counts().orientation == 1);
-  CHECK(oracle->counts().filter_failures == 1);
+  CHECK(tally.counts().orientation == 1);
+  CHECK(tally.counts().filter_failures == 1);
+}
+
+TEST_CASE("of nested tallies the innermost counts, and a thread's own only") {
+  const auto oracle = make_rounded_oracle();
+  const auto ask = [&] { oracle->orientation({0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}); };
+  const OracleTally outer;
+  ask();
+  {
+    const OracleTally inner;
+    ask();
+    ask();
+    OracleCounts elsewhere;
+    std::thread([&] {
+      const OracleTally other;
+      for (int i = 0; i < 7; ++i) ask();
+      elsewhere = other.counts();
+    }).join();
+    CHECK(elsewhere.orientation == 7);
+    CHECK(inner.counts().orientation == 2);
+  }
+  CHECK(outer.counts().orientation == 1);
+}
+
+TEST_CASE("threads that share an oracle get the answers and the counts of one alone") {
+  for (const Arithmetic arithmetic :
+       {Arithmetic::rounded, Arithmetic::filtered, Arithmetic::rational}) {
+    const auto oracle = make_oracle(arithmetic);
+    const auto answers = [&](std::uint64_t seed) {
+      Draws random(seed);
+      const OracleTally tally;
+      std::vector<std::uint64_t> all;
+      for (int i = 0; i < 3000; ++i) {
+        const Points4 p = near_degenerate(kFamilies[i % std::size(kFamilies)], random);
+        const LatticePoint2 at = lattice_point(p[2], random);
+        all.push_back(static_cast<std::uint64_t>(9 * oracle->edge_side(p[0], p[1], at) +
+                                                 3 * oracle->orientation(p[0], p[1], p[2], p[3]) +
+                                                 oracle->triangle_side(p[0], p[1], p[2], p[3]) +
+                                                 13));
+      }
+      all.push_back(tally.counts().edge_side);
+      all.push_back(tally.counts().filter_failures);
+      return all;
+    };
+    const auto one = answers(1), two = answers(2);
+    std::vector<std::uint64_t> there;
+    std::thread thread([&] { there = answers(2); });
+    const std::vector<std::uint64_t> here = answers(1);
+    thread.join();
+    CHECK(here == one);
+    CHECK(there == two);
+    CHECK(one != two);
+  }
 }

@@ -17,8 +17,8 @@ constexpr std::array kArithmetics = {Arithmetic::filtered, Arithmetic::rational}
 using Tetrahedron = Points4;
 constexpr std::array<std::array<int, 3>, 4> kFaces = {{{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {0, 3, 2}}};
 
-/// Which way the ray from the shifted node along `axis` crosses triangle abc, +1 out of it; 0 if it
-/// does not.
+/// The way in which the ray from the shifted node along `axis` crosses triangle abc, +1 out of it;
+/// 0 if it does not.
 int crossing(const Oracle& oracle, const std::array<Point, 3>& t, int axis, const Point& node) {
   const int u = next_axis(axis), v = prev_axis(axis);
   const LatticePoint2 line{u, v, node[u], node[v]};
@@ -36,8 +36,8 @@ int winding(const Oracle& oracle, const Tetrahedron& body, int axis, const Point
   return sum;
 }
 
-/// How many of `cases` tetrahedra of small integers have an integer node that rays along the three
-/// axes do not agree about, or that winds by more than one.
+/// The number of `cases` tetrahedra of small integers that have an integer node that rays along the
+/// three axes do not agree about, or that winds by more than one.
 int inconsistent(const Oracle& oracle, int cases) {
   Draws random(11);
   int count = 0;
@@ -51,7 +51,7 @@ int inconsistent(const Oracle& oracle, int cases) {
   return count;
 }
 
-/// How many of `cases` questions the two answer differently, by the family of the points.
+/// The number of `cases` questions that the two answer differently, by the family of the points.
 std::map<Family, int> differences(const Oracle& one, const Oracle& other, int cases) {
   std::map<Family, int> count;
   for (Family family : kFamilies) {

@@ -35,7 +35,7 @@ std::uint64_t digest(const Triangles& surface) {
   return hash;
 }
 
-/// As golden_digests.h has it.
+/// A digest in the form that golden_digests.h has it.
 std::string golden_line(const std::string& name, std::uint64_t digest) {
   char hex[24];
   std::snprintf(hex, sizeof hex, "0x%016llxULL", static_cast<unsigned long long>(digest));

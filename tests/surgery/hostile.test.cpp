@@ -80,3 +80,31 @@ TEST_CASE("improving what hostile surgeries leave keeps it a closed manifold") {
     if (!tracker.surface().triangles.empty()) CHECK(audit(tracker.surface()).closed_manifold());
   }
 }
+
+TEST_CASE("straightening moves no node of the lattice to another winding") {
+  std::size_t collapsed = 0, refused = 0;
+  for (std::uint64_t seed = 1; seed <= 120; ++seed) {
+    HostileCase c = HostileCases(seed).make();
+    c.options.collapse = Collapse::keep;
+    Tracker kept(c.surface, c.options);
+    if (kept.remodel().outcome != Outcome::committed || kept.surface().triangles.empty()) continue;
+    c.options.collapse = Collapse::straighten;
+    Tracker straight(c.surface, c.options);
+    const SurgeryReport report = straight.remodel();
+    collapsed += report.collapses.done;
+    refused += report.collapses.refused_node;
+    const Lattice lattice = tracker_lattice(c.surface.positions, c.options);
+    const auto oracle = make_oracle(c.options.arithmetic);
+    const auto windings = [&](const Tracker& t) {
+      return Winding(find_crossings(incidence(t.surface()), {lattice, *oracle}, Lines::along_z));
+    };
+    const Winding a = windings(kept), b = windings(straight);
+    CAPTURE(seed);
+    for (const Winding* crossed : {&a, &b})
+      for (const CrossedEdge& e : crossed->edges(2))
+        for (const LatticeId id : {e.edge, step(e.edge, 2, 1)})
+          REQUIRE(a.at(unpack(id)) == b.at(unpack(id)));
+  }
+  CHECK(collapsed > 1000);
+  CHECK(refused > 0);
+}

@@ -1,4 +1,4 @@
-// What the surgery's tests share: pipelines up to a stage, slow twins, and bodies to operate on.
+// Surgery's tests share these: pipelines up to a stage, slow twins, and bodies to operate on.
 #pragma once
 
 #include <memory>
@@ -6,6 +6,7 @@
 
 #include "kernel/audit.h"
 #include "kernel/measure/measures.h"
+#include "kernel/random.h"
 #include "kernel/shapes/shapes.h"
 #include "kernel/shapes/transform.h"
 #include "surgery/detect/complex_cells.h"
@@ -22,6 +23,8 @@ struct Scan {
   std::unique_ptr<Oracle> oracle;
   Crossings crossings;
   Winding winding;
+
+  ShiftedLattice on() const { return {lattice, *oracle}; }
 };
 
 inline Scan scan(const Triangles& surface, double cell,
@@ -29,7 +32,7 @@ inline Scan scan(const Triangles& surface, double cell,
   Incidence mesh = incidence(surface);
   Lattice lattice = lattice_around(bounding_box(surface.positions), cell, Point::Zero(), 4);
   auto oracle = make_oracle(arithmetic);
-  Crossings crossings = find_crossings(mesh, lattice, *oracle);
+  Crossings crossings = find_crossings(mesh, {lattice, *oracle});
   Winding winding(crossings);
   return {std::move(mesh), std::move(lattice), std::move(oracle), std::move(crossings),
           std::move(winding)};
@@ -54,6 +57,15 @@ inline Triangles ball(double radius, const Point& centre = Point::Zero(), int fr
 
 inline Triangles together(const Triangles& a, const Triangles& b) {
   return merged(std::vector<Triangles>{a, b});
+}
+
+/// A ball whose vertices are moved by up to its radius: self-intersecting and partly inverted.
+inline Triangles tangle(std::uint64_t seed) {
+  Random random(seed);
+  Triangles body = ball(1, Point::Zero(), 4);
+  for (Point& p : body.positions)
+    p += Point{random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1)};
+  return body;
 }
 
 }  // namespace suture

@@ -1,6 +1,8 @@
+#include <array>
 #include <catch2/catch.hpp>
 #include <cfenv>
 #include <map>
+#include <thread>
 
 #include "kernel/errors.h"
 #include "surgery/detect/invariance.h"
@@ -44,16 +46,16 @@ TEST_CASE("the audit sees a change of winding outside the region, and none insid
     for (const auto v : before.triangles[t])
       if (v == 0) kept[t] = kNone;
   map[0] = kNone;
-  const Triangles change = difference(before, after, kept, map);
+  const Triangles change = difference(before, after, {kept, map});
   CHECK(change.triangles.size() == 10);  // five triangles round a corner of the icosahedron, twice
 
   const Scan s = scan(before, 0.02);
-  CHECK_FALSE(changed_outside(change, s.lattice, *s.oracle, Region{}, s.winding).empty());
-  Region all;
+  Region none, all;
+  CHECK_FALSE(changed_outside(change, {s.mesh, s.on(), s.crossings, s.winding, none}).empty());
   for (int i = 0; i < s.lattice.cells(0); ++i)
     for (int j = 0; j < s.lattice.cells(1); ++j)
       for (int k = 0; k < s.lattice.cells(2); ++k) all.cells.index(pack(i, j, k));
-  CHECK(changed_outside(change, s.lattice, *s.oracle, all, s.winding).empty());
+  CHECK(changed_outside(change, {s.mesh, s.on(), s.crossings, s.winding, all}).empty());
 }
 
 TEST_CASE(
@@ -81,7 +83,8 @@ TEST_CASE("what the audit rejects is not committed, wherever the fault came from
   const auto corner = [&](double x) { return surface.mesh.add_vertex(CgalPoint(x, 0.11, 0.11)); };
   surface.mesh.add_face(corner(0.11), corner(0.12), corner(0.13));  // open, and in one cell
   const auto oracle = make_filtered_oracle();
-  const SurgeryReport report = remodel(surface, {.cell_size = 0.2}, *oracle, nullptr);
+  const TrackerOptions options{.cell_size = 0.2};
+  const SurgeryReport report = remodel(surface, {options, *oracle});
   CHECK(report.outcome == Outcome::refused);
   CHECK_THAT(report.failure, Catch::Matchers::Contains("audit: 3 border edges"));
   CHECK(surface.triangles == two);
@@ -112,6 +115,34 @@ TEST_CASE("the same input gives the same bits and the same report") {
   CHECK(a.marked.total() == b.marked.total());
   CHECK(a.vertex_map == b.vertex_map);
   CHECK(a.oracle.edge_side == b.oracle.edge_side);
+}
+
+TEST_CASE("two threads that share an oracle get the bits and the counts of one alone") {
+  const auto oracle = make_filtered_oracle();
+  const auto remodelled = [&](std::uint64_t seed) {
+    const HostileCase c = HostileCases(seed).make();
+    Surface surface{to_mesh(c.surface), c.surface};
+    SurgeryReport report = remodel(surface, {c.options, *oracle});
+    return std::pair(std::move(surface.triangles), report.oracle);
+  };
+  const auto counted = [](const OracleCounts& c) {
+    return std::array{c.edge_side, c.triangle_side, c.orientation, c.filter_failures};
+  };
+  std::size_t straightened = 0;
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    const auto alone = remodelled(seed), other = remodelled(seed + 20);
+    std::pair<Triangles, OracleCounts> here, there;
+    std::thread thread([&] { there = remodelled(seed + 20); });
+    here = remodelled(seed);
+    thread.join();
+    CAPTURE(seed);
+    CHECK(here.first == alone.first);
+    CHECK(there.first == other.first);
+    CHECK(counted(here.second) == counted(alone.second));
+    CHECK(counted(there.second) == counted(other.second));
+    straightened += alone.second.orientation > 0 ? 1 : 0;  // which asks for orientations
+  }
+  CHECK(straightened > 5);
 }
 
 TEST_CASE("a tracker does nothing on a thread that rounds other than to nearest") {

@@ -62,7 +62,7 @@ double largest_distance(const std::vector<Point>& a, const std::vector<Point>& b
 Point carried_by(const VelocityField& u, const Point& start, double from, double to, int steps) {
   std::vector<Point> p = {start};
   const double dt = (to - from) / steps;
-  for (int i = 0; i < steps; ++i) p = advected(p, u, from + i * dt, dt);
+  for (int i = 0; i < steps; ++i) p = advected(p, u, {from + i * dt, dt});
   return p[0];
 }
 
@@ -102,7 +102,7 @@ TEST_CASE("Enright's vortex brings markers back after its period in both variant
     std::vector<Point> markers = start;
     double farthest = 0;
     for (int step = 0; step < 300; ++step) {
-      markers = advected(markers, u, 0.01 * step, 0.01);
+      markers = advected(markers, u, {0.01 * step, 0.01});
       farthest = std::max(farthest, largest_distance(markers, start));
     }
     CHECK(farthest > 0.3);                           // it did move
@@ -114,8 +114,8 @@ TEST_CASE("the two variants of Enright's vortex agree where they turn") {
   const std::vector<Point> start = random_markers(50);
   std::vector<Point> a = start, b = start;
   for (int step = 0; step < 300; ++step) {
-    a = advected(a, enright({EnrightVariant::leveque, 3}), 0.005 * step, 0.005);
-    b = advected(b, enright({EnrightVariant::eltopo, 3}), 0.005 * step, 0.005);
+    a = advected(a, enright({EnrightVariant::leveque, 3}), {0.005 * step, 0.005});
+    b = advected(b, enright({EnrightVariant::eltopo, 3}), {0.005 * step, 0.005});
   }
   CHECK(largest_distance(a, b) < 1e-6);  // both integrals over half a period are 3/π
 }
@@ -126,7 +126,7 @@ TEST_CASE("one revolution of Zalesak's rotation brings every point back") {
   std::vector<Point> start;
   for (const Point& p : random_markers(100)) start.push_back(100 * p);
   std::vector<Point> markers = start;
-  for (int step = 0; step < 628; ++step) markers = advected(markers, u, step, 1);
+  for (int step = 0; step < 628; ++step) markers = advected(markers, u, {1. * step, 1});
   CHECK(largest_distance(markers, start) < 1e-5);
 }
 

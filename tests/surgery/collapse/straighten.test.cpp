@@ -51,7 +51,7 @@ TEST_CASE("type 2 vertices go, type 1 vertices stay, and the surface stays a clo
   for (const double height : {0.01, 0.3, -0.77}) {
     CutBody body = cut(ball(4), {height}, 5);
     REQUIRE(body.type2.size() > 50);
-    const auto counts = straighten(body.mesh, body.type2, body.type1, {});
+    const auto counts = straighten(body.mesh, {body.type1, body.type2, {}}, {});
     CHECK(counts.done * 20 > 17 * body.type2.size());
     CHECK(counts.done + counts.refused_normal == body.type2.size());
     for (const auto v : body.type1) {
@@ -65,7 +65,7 @@ TEST_CASE("type 2 vertices go, type 1 vertices stay, and the surface stays a clo
 
 TEST_CASE("a type 2 vertex that no rule lets go stays and is counted once") {
   CutBody body = cut(ball(3), {0.1}, 5);
-  const auto counts = straighten(body.mesh, body.type2, body.type1,
+  const auto counts = straighten(body.mesh, {body.type1, body.type2, {}},
                                  {.cos_turn = std::cos(0.01), .volume_bound = 1e-6});
   std::size_t left = 0;
   for (const auto v : body.type2) left += !body.mesh.is_removed(v);
@@ -78,7 +78,7 @@ TEST_CASE("a type 2 vertex that no rule lets go stays and is counted once") {
 
 TEST_CASE("a type 2 vertex with no neighbour of either type is counted as delayed") {
   Mesh mesh = to_mesh(ball(2));
-  const auto counts = straighten(mesh, {Vertex(0)}, {}, {});
+  const auto counts = straighten(mesh, {{}, {Vertex(0)}, {}}, {});
   CHECK(counts.done == 0);
   CHECK(counts.delayed == 1);
   CHECK_FALSE(mesh.has_garbage());
@@ -86,8 +86,8 @@ TEST_CASE("a type 2 vertex with no neighbour of either type is counted as delaye
 
 TEST_CASE("straightening twice from the same mesh gives the same bits") {
   CutBody a = cut(ball(4), {0.3}, 7), b = cut(ball(4), {0.3}, 7);
-  straighten(a.mesh, a.type2, a.type1, {});
-  straighten(b.mesh, b.type2, b.type1, {});
+  straighten(a.mesh, {a.type1, a.type2, {}}, {});
+  straighten(b.mesh, {b.type1, b.type2, {}}, {});
   CHECK(to_triangles(a.mesh) == to_triangles(b.mesh));
 }
 
@@ -95,7 +95,8 @@ TEST_CASE("straightening slivers, needles and coincident vertices keeps a closed
   for (std::uint64_t seed = 0; seed < 40; ++seed) {
     Dice dice(seed);
     CutBody body = cut(tormented(ball(3), dice, 0.2), {0.05}, 1 + dice.below(6));
-    const auto counts = straighten(body.mesh, body.type2, body.type1, {.sliver_height = 1e-4});
+    const auto counts =
+        straighten(body.mesh, {body.type1, body.type2, {}}, {.sliver_height = 1e-4});
     REQUIRE(audit(to_triangles(body.mesh)).closed_manifold());
     CHECK(counts.done * 2 > body.type2.size());
   }
@@ -105,7 +106,7 @@ TEST_CASE("ten thousand type 2 vertices are straightened in their turn") {
   std::vector<double> heights;
   for (int i = -20; i <= 20; ++i) heights.push_back(0.0477 * i + 0.001);
   CutBody body = cut(ball(5), heights, 5);
-  const auto counts = straighten(body.mesh, body.type2, body.type1, {});
+  const auto counts = straighten(body.mesh, {body.type1, body.type2, {}}, {});
   CHECK(counts.done * 10 > 9 * body.type2.size());
   CHECK(audit(to_triangles(body.mesh)).closed_manifold());
 }

@@ -2,23 +2,13 @@
 
 #include <catch2/catch.hpp>
 
-#include "kernel/measure/nearest_triangle.h"
 #include "kernel/random.h"
-#include "surgery/detect/distance_field.h"
 #include "tests/surgery/support.h"
 
 using namespace suture;
 using namespace suture::surgery;
 
 namespace {
-
-Triangles tangle(std::uint64_t seed) {
-  Random random(seed);
-  Triangles body = ball(1, Point::Zero(), 4);
-  for (Point& p : body.positions)
-    p += Point{random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1)};
-  return body;
-}
 
 void check_windings(const Triangles& surface, double cell, std::uint64_t seed) {
   const Scan s = scan(surface, cell);
@@ -66,59 +56,4 @@ TEST_CASE("a body inside another counts twice, and a turned one counts minus one
   for (Triangle& t : inner.triangles) std::swap(t[0], t[1]);
   const Scan s = scan(inner, 0.1);
   CHECK(s.winding.at(s.lattice.cell_of(Point(0.05, 0.05, 0.05))) == -1);
-}
-
-TEST_CASE("filtered and rational arithmetic find the same crossings") {
-  std::vector<Triangles> surfaces = {box({{0, 0, 0}, {2, 2, 2}, 0.5}), tangle(7), ball(1)};
-  for (const Triangles& surface : surfaces) {
-    const Scan a = scan(surface, 0.25), b = scan(surface, 0.25, Arithmetic::rational);
-    REQUIRE(a.crossings.edge_crossings.size() == b.crossings.edge_crossings.size());
-    for (std::size_t i = 0; i < a.crossings.edge_crossings.size(); ++i)
-      REQUIRE(a.crossings.edge_crossings[i].face == b.crossings.edge_crossings[i].face);
-    REQUIRE(a.crossings.line_crossings.size() == b.crossings.line_crossings.size());
-    for (std::size_t i = 0; i < a.crossings.line_crossings.size(); ++i)
-      REQUIRE(a.crossings.line_crossings[i].edge == b.crossings.line_crossings[i].edge);
-  }
-}
-
-TEST_CASE(
-    "D is the distance to the nearest triangle, signed by the winding, computed where asked") {
-  const Triangles surface = ball(1, {0.03, 0.02, 0.01}, 6);
-  const Scan s = scan(surface, 0.2);
-  const DistanceField d(surface, s.lattice, s.winding);
-  CHECK(d.nodes_computed() == 0);
-  for (int i = 2; i < s.lattice.planes(0) - 2; ++i) {
-    const Index3 node = {i, 7, 6};
-    double nearest = 1e300;
-    for (const Triangle& t : surface.triangles)
-      for (const auto v : t)
-        nearest = std::min(nearest, (surface.positions[v] - s.lattice.node(node)).norm());
-    const double exact = (s.lattice.node(node) - Point(0.03, 0.02, 0.01)).norm() - 1;
-    CHECK(d.at(node) == Approx(exact).margin(0.03));  // the mesh is within 0.03 of its sphere
-    CHECK(std::abs(d.at(node)) <= nearest);
-    CHECK((d.at(node) < 0) == s.winding.inside(node));
-  }
-  CHECK(d.nodes_computed() == static_cast<std::size_t>(s.lattice.planes(0) - 4));
-}
-
-TEST_CASE(
-    "a tracker gives D at the nodes of surface cells, exact, and computes what is asked only") {
-  const Triangles surface = tangle(3);
-  const Tracker tracker(surface, {.cell_size = 0.3});
-  const SurfaceDistance d = tracker.distance();
-  CHECK(d.computed() == 0);
-  const auto& nodes = d.surface_nodes();
-  CHECK(nodes.size() > 200);
-  CHECK(d.computed() == 0);
-  for (std::size_t n = 0; n < nodes.size(); n += 5) {
-    const Point at = d.lattice().node(nodes[n]);
-    double nearest = 1e300;
-    for (const Triangle& t : surface.triangles)
-      nearest =
-          std::min(nearest, distance_to_triangle(at, surface.positions[t[0]],
-                                                 surface.positions[t[1]], surface.positions[t[2]]));
-    CHECK(std::abs(d.at(nodes[n])) == nearest);
-    CHECK((d.at(nodes[n]) < 0) == (solid_angle_winding(surface, at) > 0.5));
-  }
-  CHECK(d.computed() == (nodes.size() + 4) / 5);
 }

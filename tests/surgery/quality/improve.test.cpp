@@ -26,9 +26,9 @@ QualityOptions aiming_at(double length) {
 }
 
 Triangles improved(const Triangles& s, const QualityOptions& options,
-                   const Lattice* lattice = nullptr, const Oracle* oracle = nullptr) {
+                   const ShiftedLattice* nodes = nullptr) {
   Mesh mesh = to_mesh(s);
-  improve(mesh, options, lattice, oracle);
+  improve(mesh, options, nodes);
   return to_triangles(mesh);
 }
 
@@ -74,7 +74,7 @@ double distance_to_vertices(const Triangles& s, const Point& p) {
 TEST_CASE("a mesh that is good already keeps every bit") {
   for (const Triangles& s : {ball(3), cube(3)}) {
     Mesh mesh = to_mesh(s);
-    const auto report = improve(mesh, aiming_at(edge_lengths(s).mean), nullptr, nullptr);
+    const auto report = improve(mesh, aiming_at(edge_lengths(s).mean));
     CHECK(to_triangles(mesh) == s);
     CHECK(report.subdivisions + report.flips + report.collapses.done == 0);
     for (std::uint32_t i = 0; i < s.positions.size(); ++i) CHECK(report.vertex_map[i] == i);
@@ -87,7 +87,7 @@ TEST_CASE("a mesh that is good already keeps every bit") {
 TEST_CASE("an edge length of zero, below zero or NaN is refused") {
   Mesh mesh = to_mesh(ball(0));
   for (const double length : {0., -1., std::nan("")})
-    CHECK_THROWS_AS(improve(mesh, aiming_at(length), nullptr, nullptr), InvalidInput);
+    CHECK_THROWS_AS(improve(mesh, aiming_at(length)), InvalidInput);
 }
 
 TEST_CASE("long edges are subdivided and short ones collapsed until the lengths are in range") {
@@ -144,7 +144,7 @@ TEST_CASE("fitted improvement leaves the vertices that it keeps where they were"
   options.longest = 1.2;
   options.subdivision = Subdivision::fitted;
   Mesh mesh = to_mesh(s);
-  const auto report = improve(mesh, options, nullptr, nullptr);
+  const auto report = improve(mesh, options);
   REQUIRE(report.subdivisions > 100);
   REQUIRE(report.collapses.done > 100);
   const Triangles after = to_triangles(mesh);
@@ -270,7 +270,8 @@ TEST_CASE("improvement changes no winding at a lattice node, near the surface or
     for (Point& p : s.positions) p += dice.in_cube(0.04);
     const Lattice lattice = lattice_around(bounding_box(s.positions), 0.13, dice.in_cube(0.1), 1);
     const auto before = windings(s, lattice);
-    const Triangles after = improved(s, aiming_at(0.25), &lattice, oracle.get());
+    const ShiftedLattice nodes{lattice, *oracle};
+    const Triangles after = improved(s, aiming_at(0.25), &nodes);
     CHECK(after.triangles.size() < s.triangles.size());
     CHECK(windings(after, lattice) == before);
     const Triangles careless = improved(s, aiming_at(0.25));
@@ -282,7 +283,7 @@ TEST_CASE("the vertex map leads each old vertex that is left to where it is now"
   Dice dice(5);
   const Triangles s = tormented(ball(3), dice, 0.2);
   Mesh mesh = to_mesh(s);
-  const auto report = improve(mesh, aiming_at(0.1), nullptr, nullptr);
+  const auto report = improve(mesh, aiming_at(0.1));
   REQUIRE(report.vertex_map.size() == s.positions.size());
   const Triangles after = to_triangles(mesh);
   std::vector<bool> taken(after.positions.size(), false);
@@ -328,13 +329,14 @@ TEST_CASE("edges and angles stay bounded over a thousand steps of a swirling flo
   const auto oracle = make_filtered_oracle();
   const Lattice lattice =
       lattice_around({Point::Constant(-4), Point::Constant(4)}, length, Point(0.013, 0.017, 0.011));
+  const ShiftedLattice nodes{lattice, *oracle};
   const VelocityField u = [](const Point& p, double t) { return Point(5 * swinging_flow(p, t)); };
   double smallest = 180, shortest = 1e300, longest = 0, bad = 0;
   std::size_t most = 0, ended = 0;
   for (int step = 0; step < 1000; ++step) {
-    s.positions = advected(s.positions, u, 0.02 * step, 0.02);
+    s.positions = advected(s.positions, u, {0.02 * step, 0.02});
     Mesh mesh = to_mesh(s);
-    const auto report = improve(mesh, options, &lattice, oracle.get());
+    const auto report = improve(mesh, options, &nodes);
     s = to_triangles(mesh);
     smallest = std::min(smallest, report.smallest_angle);
     shortest = std::min(shortest, report.shortest_edge / length);

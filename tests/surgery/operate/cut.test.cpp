@@ -1,41 +1,14 @@
-// The lemmas of papers/proof.md, each asked directly and without the audit that would hide a fault.
-#include "tests/surgery/sewn.h"
+// The lemmas of papers/proof.md on the cut, asked directly: an audit would hide a fault.
+#include "surgery/operate/cut.h"
 
 #include <catch2/catch.hpp>
 
-#include "surgery/detect/distance_field.h"
+#include "tests/surgery/sewn.h"
 
 using namespace suture;
 using namespace suture::surgery;
 
 namespace {
-
-constexpr Events kEvents[] = {Events::both, Events::merge, Events::split};
-
-/// A case whose events are those of `seed`, so that zones of winding 2 and −1 stay in two of three.
-HostileCase with_events(std::uint64_t seed) {
-  HostileCase c = HostileCases(seed).make();
-  c.options.events = kEvents[seed % 3];
-  return c;
-}
-
-bool on_boundary(const Region& region, int axis, LatticeId edge) {
-  const int cells = region.cells_round_edge(edge, axis);
-  return cells > 0 && cells < 4;
-}
-
-/// Lattice edges that the region's boundary must not have: crossed twice, or without a change of
-/// side; and faces of the boundary that hold a loop.
-std::size_t faults(const Detection& d) {
-  std::size_t count = 0;
-  for (int axis = 0; axis < 3; ++axis) {
-    for (const CrossedEdge& e : d.scan.winding.edges(axis))
-      if (on_boundary(d.region, axis, e.edge)) count += e.count != 1 || !e.changes_side();
-    for (const LatticeId face : d.scan.crossings.loop_faces[axis])
-      count += d.region.holds(face) != d.region.holds(step(face, axis, -1));
-  }
-  return count;
-}
 
 /// Whether a node is so near the surface that the rounding of an inserted vertex may pass it.
 bool near_surface(const DistanceField& distance, const Box& box, const Index3& node) {
@@ -45,35 +18,6 @@ bool near_surface(const DistanceField& distance, const Box& box, const Index3& n
 }
 
 }  // namespace
-
-TEST_CASE("every boundary edge of a region is crossed once at most, into or out of the material") {
-  int regions = 0;
-  for (std::uint64_t seed = 1; seed <= 400; ++seed) {
-    const HostileCase c = with_events(seed);
-    const Detection d = detect(c.surface, c.options);
-    CAPTURE(seed);
-    REQUIRE(faults(d) == 0);
-    regions += d.region.empty() ? 0 : 1;
-  }
-  CHECK(regions > 200);
-}
-
-TEST_CASE(
-    "a closed curve in the middle of a lattice face is found, and the flood passes that face") {
-  const Scan s =
-      scan(ball(0.3, {0, 0.5, 0.5}), 1);  // a body in two cells that meets no lattice edge
-  REQUIRE(s.crossings.line_crossings.empty());
-  CHECK(s.crossings.loop_faces[1].empty());
-  CHECK(s.crossings.loop_faces[2].empty());
-  REQUIRE(s.crossings.loop_faces[0].size() == 1);
-  const LatticeId face = s.crossings.loop_faces[0].front();
-  CHECK(unpack(face) == s.lattice.cell_of(Point(0.1, 0.5, 0.5)));
-  const CellSet cells = find_complex_cells(s.crossings, s.winding);
-  const Region region = grow_region({face}, cells);
-  CHECK(region.cells.size() == 2);
-  CHECK(region.holds(step(face, 0, -1)));
-  CHECK(scan(ball(0.9, {0, 0.5, 0.5}), 1).crossings.loop_faces[0].empty());  // out over the edges
-}
 
 TEST_CASE("cut and fill alone give a closed manifold, cell by cell and merged") {
   std::size_t sewn = 0, split = 0;
@@ -156,8 +100,7 @@ TEST_CASE("after a surgery that may merge and split, windings are 0 and 1 and ev
     if (before.region.empty()) continue;
     ++operated;
     const Triangles sewn = sew(c.surface, before, Pieces::cell_by_cell).surface;
-    const Winding after(
-        find_crossings(incidence(sewn), before.scan.lattice, *before.scan.oracle, Lines::along_z));
+    const Winding after(find_crossings(incidence(sewn), before.scan.on(), Lines::along_z));
     const DistanceField distance(c.surface, before.scan.lattice, before.scan.winding);
     const Box box = bounding_box(c.surface.positions);
     for (const Winding* crossed : {&before.scan.winding, &after})
@@ -170,32 +113,4 @@ TEST_CASE("after a surgery that may merge and split, windings are 0 and 1 and ev
         }
   }
   CHECK(operated > 20);
-}
-
-TEST_CASE("straightening moves no node of the lattice to another winding") {
-  std::size_t collapsed = 0, refused = 0;
-  for (std::uint64_t seed = 1; seed <= 120; ++seed) {
-    HostileCase c = HostileCases(seed).make();
-    c.options.collapse = Collapse::keep;
-    Tracker kept(c.surface, c.options);
-    if (kept.remodel().outcome != Outcome::committed || kept.surface().triangles.empty()) continue;
-    c.options.collapse = Collapse::straighten;
-    Tracker straight(c.surface, c.options);
-    const SurgeryReport report = straight.remodel();
-    collapsed += report.collapses.done;
-    refused += report.collapses.refused_node;
-    const Lattice lattice = tracker_lattice(c.surface.positions, c.options);
-    const auto oracle = make_oracle(c.options.arithmetic);
-    const auto windings = [&](const Tracker& t) {
-      return Winding(find_crossings(incidence(t.surface()), lattice, *oracle, Lines::along_z));
-    };
-    const Winding a = windings(kept), b = windings(straight);
-    CAPTURE(seed);
-    for (const Winding* crossed : {&a, &b})
-      for (const CrossedEdge& e : crossed->edges(2))
-        for (const LatticeId id : {e.edge, step(e.edge, 2, 1)})
-          REQUIRE(a.at(unpack(id)) == b.at(unpack(id)));
-  }
-  CHECK(collapsed > 1000);
-  CHECK(refused > 0);
 }

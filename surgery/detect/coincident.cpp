@@ -1,6 +1,5 @@
-// Components are compared as sets of coordinate triangles, by a sum of hashes first and exactly
-// then.
-#include "surgery/operate/coincident.h"
+// Components are compared as sets of coordinate triangles: by a sum of hashes first, then exactly.
+#include "surgery/detect/coincident.h"
 
 #include <algorithm>
 #include <bit>
@@ -77,11 +76,10 @@ std::vector<std::uint32_t> repeated_triangles(const Triangles& surface,
   return repeated;
 }
 
-bool sides_agree(const Triangles& single, const Triangles& repeated, const Lattice& lattice,
-                 const Oracle& oracle) {
+bool sides_agree(const Triangles& single, const Triangles& repeated, const ShiftedLattice& on) {
   constexpr int kAxis = 2;
   auto scan = [&](const Triangles& surface) {
-    return Winding(find_crossings(incidence(surface), lattice, oracle, Lines::along_z));
+    return Winding(find_crossings(incidence(surface), on, Lines::along_z));
   };
   const Winding one = scan(single), rest = scan(repeated);
   // Along a line both windings change at crossed edges only, so the ends of these see every value.
