@@ -1,7 +1,7 @@
 // A scene's frames as a fluid makes them: steps as short as it needs, topology at their ends [§7].
 #pragma once
 
-#include "sims/driver/stepper.h"
+#include "sims/driver/driver.h"
 #include "sims/fluid/frame.h"
 
 namespace suture::sims {

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "kernel/measure/measures.h"
-#include "sims/flows/vertex_values.h"
+#include "sims/tracking/vertex_values.h"
 
 namespace suture::sims {
 namespace {

@@ -7,7 +7,7 @@
 
 #include "kernel/errors.h"
 #include "kernel/measure/measures.h"
-#include "sims/driver/method_stepper.h"
+#include "sims/driver/scene_steps.h"
 #include "sims/study/row.h"
 #include "sims/support/processes.h"
 

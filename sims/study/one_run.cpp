@@ -11,7 +11,7 @@
 #include "kernel/formats/mesh_io.h"
 #include "kernel/measure/distance.h"
 #include "kernel/measure/measures.h"
-#include "sims/driver/stepper.h"
+#include "sims/driver/driver.h"
 #include "sims/study/surface_measures.h"
 #include "sims/study/table.h"
 #include "sims/support/processes.h"

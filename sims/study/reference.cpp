@@ -11,7 +11,7 @@
 #include "kernel/errors.h"
 #include "kernel/files.h"
 #include "kernel/formats/mesh_io.h"
-#include "sims/driver/stepper.h"
+#include "sims/driver/driver.h"
 #include "sims/study/one_run.h"
 #include "sims/study/table.h"
 

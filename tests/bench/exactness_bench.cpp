@@ -9,7 +9,7 @@
 #include <map>
 
 #include "kernel/random.h"
-#include "sims/driver/stepper.h"
+#include "sims/driver/driver.h"
 #include "tests/models.h"
 #include "tests/paths.h"
 #include "tests/surgery/support.h"

@@ -7,7 +7,7 @@
 #include "kernel/audit.h"
 #include "kernel/errors.h"
 #include "kernel/measure/measures.h"
-#include "sims/driver/method_stepper.h"
+#include "sims/driver/scene_steps.h"
 #include "sims/driver/run.h"
 #include "sims/scene/scene.h"
 #include "tests/sims/cli/program.h"

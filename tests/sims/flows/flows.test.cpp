@@ -9,7 +9,7 @@
 #include "sims/flows/fields.h"
 #include "sims/flows/mean_curvature.h"
 #include "sims/flows/normal_flow.h"
-#include "sims/flows/vertex_values.h"
+#include "sims/tracking/vertex_values.h"
 #include "surgery/advect.h"
 #include "tests/sims/balls.h"
 

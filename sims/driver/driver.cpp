@@ -1,5 +1,5 @@
 // The order of a scene's steps: move, remodel, improve; who wants to know is told of each.
-#include "sims/driver/stepper.h"
+#include "sims/driver/driver.h"
 
 #include <algorithm>
 

@@ -3,7 +3,7 @@
 
 #include <memory>
 
-#include "sims/driver/stepper.h"
+#include "sims/driver/driver.h"
 #include "sims/tracking/surface_tracker.h"
 
 namespace suture::sims {

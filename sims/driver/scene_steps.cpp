@@ -1,5 +1,5 @@
 // A scene's steps by whatever method it names: moved, and settled at the end.
-#include "sims/driver/method_stepper.h"
+#include "sims/driver/scene_steps.h"
 
 #include "kernel/errors.h"
 #include "sims/driver/fluid_steps.h"
