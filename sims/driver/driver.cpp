@@ -1,4 +1,4 @@
-// The order of a scene's steps: move, remodel, improve; who wants to know is told of each.
+// The one loop that steps a surface: a simulator moves it, a tracker keeps it, watchers hear of it.
 #include "sims/driver/driver.h"
 
 #include <algorithm>
@@ -7,49 +7,61 @@
 
 namespace suture::sims {
 
-double step_end(const TimeOptions& time, std::int64_t index) {
-  return std::min(static_cast<double>(index) * time.step, time.end);
+Driver::Driver(SurfaceTracker& tracker, Simulator& simulator, const Schedule& schedule)
+    : tracker_(tracker), simulator_(simulator), schedule_(schedule) {
+  if (std::min({schedule.remodel_every, schedule.improve_every, schedule.end_every}) < 0)
+    throw InvalidInput("remodel_every and improve_every count steps; give 0 (never) or more");
+  if (!tracker.keeps_triangles() && (schedule.remodel_every > 0 || schedule.improve_every > 0))
+    throw InvalidInput(
+        "this way to track a surface keeps no mesh that could be remodelled or improved; schedule "
+        "neither");
 }
 
-Motion& phase_at(Scene& scene, double time) {
-  const double middle = time + 0.5 * scene.time.step;
-  for (Phase& phase : scene.phases)
-    if (middle < phase.until) return *phase.motion;
-  return *scene.phases.back().motion;
+void Driver::frame(double end, StepWatcher& watcher, FrameIs which) {
+  ++frames_;
+  move_to(end, watcher);
+  look_after(due(which), watcher);
 }
 
-Stepper::Stepper(Scene& scene, const TrackerOptions& options)
-    : scene_(scene), tracker_(scene.surface, options) {
-  if (scene.fluid)
-    throw InvalidInput(scene.file.string() +
-                       ": its surface is moved by a fluid, for which there is nothing exact to "
-                       "compare with; run it by `suture run`");
-  if (scene.method.kind != MethodKind::mesh)
-    throw InvalidInput(scene.file.string() + ": the method \"" + method_name(scene.method.kind) +
-                       "\" is no mesh as the tracker looks after it, which this needs; take the "
-                       "table [method] out, or run the scene by `suture run`");
+Driver::Due Driver::due(FrameIs which) const {
+  const auto now = [&](int every) {
+    return every > 0 && (frames_ % every == 0 || which == FrameIs::last);
+  };
+  return {now(schedule_.remodel_every), now(schedule_.improve_every), now(schedule_.end_every)};
 }
 
-void Stepper::step(std::int64_t index, StepWatcher& watcher) {
-  const TimeOptions& time = scene_.time;
-  const double dt = step_end(time, index) - tracker_.time();
-  phase_at(scene_, tracker_.time()).advance(tracker_, dt);
-  watcher.moved(dt);
-  const bool last = index == time.steps();
-  if (time.remodel_every > 0 && (index % time.remodel_every == 0 || last)) {
-    const SurgeryReport r = tracker_.remodel();
-    watcher.remodelled(r);
-    if (r.outcome == Outcome::committed) surface_changed(r.vertex_map);
-  }
-  if (time.improve_every > 0 && (index % time.improve_every == 0 || last) && !vanished()) {
-    const QualityReport r = tracker_.improve();
-    watcher.improved(r);
-    surface_changed(r.vertex_map);
+void Driver::move_to(double end, StepWatcher& watcher) {
+  const Due whole{schedule_.remodel_every > 0, schedule_.improve_every > 0, true};
+  int taken = 0;
+  for (double left = end - tracker_.time(); left > 0;) {
+    const int most = std::max(1, simulator_.most_steps() - taken++);
+    const int steps = std::min(simulator_.steps_in(left), most);
+    const double dt = left / steps;
+    simulator_.step(tracker_, dt);
+    watcher.moved(dt);
+    left = steps == 1 ? 0 : end - tracker_.time();
+    if (left > 0 && schedule_.end_every > 0 && tracker_.keeps_triangles() &&
+        simulator_.wants_topology())
+      look_after(whole, watcher);
   }
 }
 
-void Stepper::surface_changed(const std::vector<std::uint32_t>& vertex_map) {
-  for (Phase& phase : scene_.phases) phase.motion->surface_changed(tracker_.surface(), vertex_map);
+void Driver::look_after(const Due& due, StepWatcher& watcher) {
+  if (!due.any()) return;
+  simulator_.before_remodel(tracker_);
+  if (due.remodel && !vanished()) {
+    const SurgeryReport report = tracker_.remodel();
+    watcher.remodelled(report);
+    if (report.outcome == Outcome::committed)
+      simulator_.surface_changed(tracker_.surface(), report.vertex_map);
+  }
+  if (due.improve && !vanished()) {
+    const QualityReport report = tracker_.improve();
+    watcher.improved(report);
+    simulator_.surface_changed(tracker_.surface(), report.vertex_map);
+  }
+  if (due.end) tracker_.end_of_frame();
+  simulator_.after_remodel(tracker_);
 }
 
 }  // namespace suture::sims

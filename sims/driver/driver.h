@@ -1,56 +1,62 @@
-// The order of a scene's steps: move, remodel, improve; who wants to know is told of each.
+// The one loop that steps a surface: a simulator moves it, a tracker keeps it, watchers hear of it.
 #pragma once
 
 #include <cstdint>
+#include <limits>
 
-#include "sims/scene/scene.h"
-#include "sims/tracking/surface_tracker.h"
+#include "sims/tracking/simulator.h"
 
 namespace suture::sims {
 
-class Fluid;
-struct FluidFrame;
-
-/// When step `index`, counted from 1, ends.
-double step_end(const TimeOptions& time, std::int64_t index);
-
-/// The motion of the step that begins at `time`.
-Motion& phase_at(Scene& scene, double time);
-
-/// A scene's surface on its way, whatever keeps it.
-class Steps {
+/// Hears of each part of a frame as it ends, before the simulator hears of the changed surface.
+class StepWatcher {
  public:
-  virtual ~Steps() = default;
-
-  /// Step `index`, counted from 1. \throw InvalidInput as the method's own advect
-  virtual void step(std::int64_t index, StepWatcher& watcher) = 0;
-  virtual const Triangles& surface() const = 0;
-  virtual double time() const = 0;
-  virtual TrackerCost cost() const { return {}; }              ///< where the method counts it
-  virtual const Fluid* fluid() const { return nullptr; }       ///< that moves it; null: none
-  virtual const FluidFrame* frame() const { return nullptr; }  ///< the fluid's last
-  /// Whether nothing is left to move: every part got thinner than a cell and went.
-  bool vanished() const { return surface().triangles.empty(); }
+  virtual ~StepWatcher() = default;
+  virtual void moved(double /*dt*/) {}
+  virtual void remodelled(const SurgeryReport& /*report*/) {}
+  virtual void improved(const QualityReport& /*report*/) {}
 };
 
-/// Takes a scene's mesh through its steps. Keeps a reference to the scene, whose motions move.
-class Stepper : public Steps {
+inline constexpr int kLastFrame = std::numeric_limits<int>::max();  ///< at the end of no other
+
+/// After how many frames the surface is looked after; 0: never. What is done at all is done after
+/// the last frame too.
+struct Schedule {
+  int remodel_every = 1;
+  int improve_every = 1;
+  int end_every = kLastFrame;  ///< SurfaceTracker::end_of_frame, and topology within frames
+};
+
+enum class FrameIs { one_of_many, last };
+
+/// Takes a surface from frame to frame. A frame is as many steps as the simulator asks for, one
+/// where it does not, and then the remodel, the improvement and the end of a frame that are due.
+class Driver {
  public:
-  /// \throw InvalidInput as Tracker, and for a scene whose method is not "mesh"
-  Stepper(Scene& scene, const TrackerOptions& options);
+  /// Keeps references to both. \throw InvalidInput if a number of frames is negative, or the
+  /// schedule has remodels or improvements for a tracker that is no mesh
+  Driver(SurfaceTracker& tracker, Simulator& simulator, const Schedule& schedule);
 
-  const Tracker& tracker() const { return tracker_; }
-  const Triangles& surface() const override { return tracker_.surface(); }
-  double time() const override { return tracker_.time(); }
-
-  /// \throw as Tracker::advect, displace, improve
-  void step(std::int64_t index, StepWatcher& watcher) override;
+  /// Steps to the time `end`. A mesh is also looked after between two steps where the simulator
+  /// wants topology, if the schedule ends frames at all. \pre end > the tracker's time()
+  /// \throw as the tracker and the simulator do
+  void frame(double end, StepWatcher& watcher, FrameIs which = FrameIs::one_of_many);
 
  private:
-  void surface_changed(const std::vector<std::uint32_t>& vertex_map);
+  struct Due {
+    bool remodel, improve, end;
+    bool any() const { return remodel || improve || end; }
+  };
 
-  Scene& scene_;
-  Tracker tracker_;
+  Due due(FrameIs which) const;
+  void move_to(double end, StepWatcher& watcher);
+  void look_after(const Due& due, StepWatcher& watcher);
+  bool vanished() const { return tracker_.surface().triangles.empty(); }
+
+  SurfaceTracker& tracker_;
+  Simulator& simulator_;
+  Schedule schedule_;
+  std::int64_t frames_ = 0;
 };
 
 }  // namespace suture::sims
