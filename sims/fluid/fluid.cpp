@@ -9,7 +9,7 @@
 #include "kernel/errors.h"
 #include "sims/fluid/effects/effects.h"
 #include "sims/fluid/liquid/subgrid_droplets.h"
-#include "sims/fluid/pressure.h"
+#include "sims/fluid/velocity/pressure.h"
 #include "sims/fluid/solids/wall_projection.h"
 
 namespace suture::sims {

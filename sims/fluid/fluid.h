@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "sims/fluid/fluid_options.h"
-#include "sims/fluid/liquid/liquid_measures.h"
-#include "sims/fluid/module_cost.h"
+#include "sims/fluid/measure/liquid_measures.h"
+#include "sims/fluid/measure/module_cost.h"
 #include "sims/tracking/surface_tracker.h"
 
 namespace suture::sims {

@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "sims/fluid/advect_velocity.h"
+#include "sims/fluid/velocity/advect_velocity.h"
 #include "sims/fluid/effects/viscoelasticity.h"
 #include "sims/fluid/effects/volume_control.h"
 #include "sims/fluid/linear/linear_solver.h"

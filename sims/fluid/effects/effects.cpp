@@ -4,7 +4,7 @@
 #include <limits>
 
 #include "sims/fluid/effects/surface_tension.h"
-#include "sims/fluid/effects/surface_velocity.h"
+#include "sims/fluid/effects/tension/surface_velocity.h"
 #include "sims/fluid/effects/viscosity.h"
 
 namespace suture::sims {

@@ -6,8 +6,8 @@
 #include <optional>
 
 #include "sims/fluid/fluid_options.h"
-#include "sims/fluid/module_cost.h"
-#include "sims/fluid/pressure.h"
+#include "sims/fluid/measure/module_cost.h"
+#include "sims/fluid/velocity/pressure.h"
 #include "sims/tracking/surface_tracker.h"
 
 namespace suture::sims {

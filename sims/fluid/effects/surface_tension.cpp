@@ -6,7 +6,7 @@
 #include <numbers>
 
 #include "kernel/errors.h"
-#include "sims/fluid/effects/surface_velocity.h"
+#include "sims/fluid/effects/tension/surface_velocity.h"
 #include "sims/fluid/liquid/crossing.h"
 
 namespace suture::sims {

@@ -7,7 +7,7 @@
 
 #include "kernel/measure/nearest_triangle.h"
 #include "kernel/triangles.h"
-#include "sims/fluid/effects/curvature.h"
+#include "sims/fluid/effects/tension/curvature.h"
 #include "sims/fluid/liquid/liquid.h"
 
 namespace suture::sims {

@@ -3,8 +3,8 @@
 
 #include <limits>
 
-#include "sims/fluid/effects/strain.h"
-#include "sims/fluid/effects/viscous_system.h"
+#include "sims/fluid/effects/stress/strain.h"
+#include "sims/fluid/effects/stress/viscous_system.h"
 
 namespace suture::sims {
 

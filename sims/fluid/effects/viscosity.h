@@ -1,7 +1,7 @@
 // Viscosity of the liquid, from none to that of a rigid body.
 #pragma once
 
-#include "sims/fluid/effects/viscous_system.h"
+#include "sims/fluid/effects/stress/viscous_system.h"
 
 namespace suture::sims {
 

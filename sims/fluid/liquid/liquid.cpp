@@ -10,7 +10,7 @@
 
 #include "kernel/measure/measures.h"
 #include "kernel/sort_unique.h"
-#include "sims/fluid/liquid/surface_cells.h"
+#include "sims/fluid/grid/surface_cells.h"
 
 namespace suture::sims {
 namespace {

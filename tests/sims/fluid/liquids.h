@@ -8,7 +8,7 @@
 #include "kernel/shapes/shapes.h"
 #include "sims/fluid/grid/mac_velocity.h"
 #include "sims/fluid/liquid/liquid.h"
-#include "sims/fluid/pressure.h"
+#include "sims/fluid/velocity/pressure.h"
 #include "sims/fluid/solids/solids.h"
 
 namespace suture {

@@ -4,7 +4,7 @@
 
 #include "kernel/errors.h"
 #include "sims/fluid/effects/viscosity.h"
-#include "sims/fluid/pressure.h"
+#include "sims/fluid/velocity/pressure.h"
 #include "tests/sims/fluid/blobs.h"
 
 namespace suture {

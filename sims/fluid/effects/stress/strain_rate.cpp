@@ -1,5 +1,5 @@
 // The strain rate of a staggered velocity: which faces make each of its numbers.
-#include "sims/fluid/effects/strain_rate.h"
+#include "sims/fluid/effects/stress/strain_rate.h"
 
 #include <algorithm>
 

@@ -1,4 +1,4 @@
-#include "sims/fluid/effects/strain.h"
+#include "sims/fluid/effects/stress/strain.h"
 
 #include <Eigen/Geometry>
 #include <catch2/catch.hpp>

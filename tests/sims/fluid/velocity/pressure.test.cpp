@@ -1,4 +1,4 @@
-#include "sims/fluid/pressure.h"
+#include "sims/fluid/velocity/pressure.h"
 
 #include <catch2/catch.hpp>
 #include <cmath>

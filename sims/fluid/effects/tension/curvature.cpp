@@ -1,5 +1,5 @@
 // The mean curvature of a mesh as the physics grid can carry it, and what it cannot.
-#include "sims/fluid/effects/curvature.h"
+#include "sims/fluid/effects/tension/curvature.h"
 
 #include <Eigen/IterativeLinearSolvers>
 #include <Eigen/SparseCore>

@@ -1,5 +1,5 @@
 // The variational projection, in the unknown q = p·dt/(density·h), which is a velocity.
-#include "sims/fluid/pressure.h"
+#include "sims/fluid/velocity/pressure.h"
 
 #include <algorithm>
 #include <cmath>

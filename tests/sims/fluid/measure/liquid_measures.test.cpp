@@ -4,7 +4,7 @@
 #include "kernel/errors.h"
 #include "kernel/random.h"
 #include "sims/fluid/grid/cut_cube.h"
-#include "sims/fluid/liquid/liquid_measures.h"
+#include "sims/fluid/measure/liquid_measures.h"
 
 using namespace suture;
 using namespace suture::sims;

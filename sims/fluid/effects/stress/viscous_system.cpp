@@ -1,11 +1,11 @@
 // The equations of an implicit viscous step: masses, and stresses between faces.
-#include "sims/fluid/effects/viscous_system.h"
+#include "sims/fluid/effects/stress/viscous_system.h"
 
 #include <algorithm>
 #include <cmath>
 
 #include "kernel/errors.h"
-#include "sims/fluid/effects/rigid_part.h"
+#include "sims/fluid/effects/stress/rigid_part.h"
 
 namespace suture::sims {
 namespace {

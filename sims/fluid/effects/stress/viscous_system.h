@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "sims/fluid/effects/strain_rate.h"
+#include "sims/fluid/effects/stress/strain_rate.h"
 #include "sims/fluid/linear/linear_solver.h"
 
 namespace suture::sims {

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "sims/fluid/effects/viscous_system.h"
+#include "sims/fluid/effects/stress/viscous_system.h"
 
 namespace suture::sims {
 

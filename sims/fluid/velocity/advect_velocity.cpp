@@ -1,5 +1,5 @@
 // Velocity carried by itself from one grid to the next.
-#include "sims/fluid/advect_velocity.h"
+#include "sims/fluid/velocity/advect_velocity.h"
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>

@@ -1,7 +1,7 @@
 // The elastic strain that a liquid carries with it.
 #pragma once
 
-#include "sims/fluid/effects/strain_rate.h"
+#include "sims/fluid/effects/stress/strain_rate.h"
 
 namespace suture::sims {
 

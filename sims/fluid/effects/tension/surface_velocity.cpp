@@ -1,5 +1,5 @@
 // Values at the vertices of a surface, asked for at points near it.
-#include "sims/fluid/effects/surface_velocity.h"
+#include "sims/fluid/effects/tension/surface_velocity.h"
 
 #include <algorithm>
 #include <array>

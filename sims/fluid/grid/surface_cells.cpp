@@ -1,5 +1,5 @@
 // A closed surface on the physics grid: cells near it, and where it crosses between their centres.
-#include "sims/fluid/liquid/surface_cells.h"
+#include "sims/fluid/grid/surface_cells.h"
 
 #include <algorithm>
 #include <utility>

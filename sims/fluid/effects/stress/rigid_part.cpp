@@ -1,5 +1,5 @@
 // The rigid motions of connected bodies, which viscous stress leaves alone.
-#include "sims/fluid/effects/rigid_part.h"
+#include "sims/fluid/effects/stress/rigid_part.h"
 
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>

@@ -1,10 +1,10 @@
 // The elastic strain that a liquid carries with it.
-#include "sims/fluid/effects/strain.h"
+#include "sims/fluid/effects/stress/strain.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
 
-#include "sims/fluid/advect_velocity.h"
+#include "sims/fluid/velocity/advect_velocity.h"
 #include "sims/fluid/grid/grid_corners.h"
 
 namespace suture::sims {

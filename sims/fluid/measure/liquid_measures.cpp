@@ -1,5 +1,5 @@
 // What the liquid has of energy and momentum, and how fast and how free of divergence it flows.
-#include "sims/fluid/liquid/liquid_measures.h"
+#include "sims/fluid/measure/liquid_measures.h"
 
 #include <algorithm>
 #include <cmath>
