@@ -16,6 +16,7 @@ void add(FluidFrame& frame, const FluidStep& step) {
   w.cfl = std::max(w.cfl, before.cfl);
   w.drops = std::max(w.drops, before.drops);
   w.residual = std::max(w.residual, before.residual);
+  w.unconverged += before.unconverged;
 }
 
 }  // namespace

@@ -16,9 +16,10 @@ Corners box_of(const CellTriangle& t) {
   return {t[0].cwiseMin(t[1]).cwiseMin(t[2]), t[0].cwiseMax(t[1]).cwiseMax(t[2])};
 }
 
-void check(const Triangles& surface, const Point& origin, double h) {
+void check(const Triangles& surface, const GridFrame& frame) {
   for (std::size_t v = 0; v < surface.positions.size(); ++v)
-    if (!(((surface.positions[v] - origin) / h).lpNorm<Eigen::Infinity>() < SparseGrid::kFurthest))
+    if (!(((surface.positions[v] - frame.origin) / frame.h).lpNorm<Eigen::Infinity>() <
+          SparseGrid::kFurthest))
       throw InvalidInput("vertex " + std::to_string(v) +
                          " of the liquid is not finite, or 2^29 cells or further from the physics "
                          "grid's origin; use larger cells");
@@ -36,12 +37,16 @@ double turn(const std::array<double, 2>& u, const std::array<double, 2>& v,
   return (v[0] - u[0]) * (p[1] - u[1]) - (v[1] - u[1]) * (p[0] - u[0]);
 }
 
+/// The two axes across one, in order.
+std::array<int, 2> axes_across(int axis) { return {axis == 0 ? 1 : 0, axis == 2 ? 1 : 2}; }
+
 /// The triangle seen along an axis.
 struct Shadow {
   std::array<std::array<double, 2>, 3> corners;
   std::array<double, 3> heights;
 
-  Shadow(const CellTriangle& t, int axis, int b, int c) {
+  Shadow(const CellTriangle& t, int axis) {
+    const auto [b, c] = axes_across(axis);
     for (int k = 0; k < 3; ++k) {
       corners[k] = {t[k][b], t[k][c]};
       heights[k] = t[k][axis];
@@ -81,14 +86,14 @@ CellRange cells_round(const CellTriangle& triangle, double wider) {
   return range;
 }
 
-SparseGrid blocks_near(const Triangles& surface, const Point& origin, double h, int width) {
-  const SparseGrid frame(origin, h, {});  // refuses an h that is none
-  check(surface, origin, h);
+SparseGrid blocks_near(const Triangles& surface, const GridFrame& frame, int width) {
+  const SparseGrid none(frame.origin, frame.h, {});  // refuses an h that is none
+  check(surface, frame);
   constexpr int side = SparseGrid::kSide;
   const auto down = [](int i) { return SparseGrid::block_of(i) * side; };
   std::vector<Index3> blocks;
   for (const Triangle& triangle : surface.triangles) {
-    const CellRange range = cells_round(in_cells(surface, triangle, frame), width);
+    const CellRange range = cells_round(in_cells(surface, triangle, none), width);
     for (int x = down(range.low[0]); x <= range.high[0]; x += side)
       for (int y = down(range.low[1]); y <= range.high[1]; y += side)
         for (int z = down(range.low[2]); z <= range.high[2]; z += side) {
@@ -96,7 +101,7 @@ SparseGrid blocks_near(const Triangles& surface, const Point& origin, double h, 
           if (blocks.empty() || blocks.back() != block) blocks.push_back(block);
         }
   }
-  return {origin, h, blocks};
+  return {frame.origin, frame.h, blocks};
 }
 
 std::vector<std::uint8_t> cells_near(const Triangles& surface, const SparseGrid& grid, int width) {
@@ -124,11 +129,11 @@ std::vector<std::uint8_t> cells_near(const Triangles& surface, const SparseGrid&
 
 std::vector<FaceCrossing> crossings_along(const Triangles& surface, const SparseGrid& grid,
                                           int axis) {
-  const int b = axis == 0 ? 1 : 0, c = axis == 2 ? 1 : 2;
+  const auto [b, c] = axes_across(axis);
   std::vector<std::pair<Slot, double>> found;
   for (const Triangle& triangle : surface.triangles) {
     const CellTriangle t = in_cells(surface, triangle, grid);
-    const Shadow shadow(t, axis, b, c);
+    const Shadow shadow(t, axis);
     const CellRange range = cells_round(t, 0);
     for (int i = range.low[b]; i <= range.high[b]; ++i)
       for (int j = range.low[c]; j <= range.high[c]; ++j) {

@@ -1,4 +1,4 @@
-// What the liquid has of energy and momentum, and how fast and how free of divergence it flows.
+// The liquid's energy and momentum, and how fast and how free of divergence it flows.
 #include "sims/fluid/measure/liquid_measures.h"
 
 #include <algorithm>
@@ -12,7 +12,8 @@ namespace {
 
 /// A cell's six faces, the low one of each axis first.
 struct Faces {
-  std::array<std::array<double, 2>, 3> u{}, open{};
+  std::array<std::array<double, 2>, 3> u{}, open{},
+      solid{};  ///< solid: the velocity of what closes
   std::array<std::array<bool, 2>, 3> known{};
 };
 
@@ -23,6 +24,7 @@ Faces faces_of_cell(const MacVelocity& velocity, const SolidFaces& solids, Slot 
       const Slot face = side == 0 ? s : velocity.grid->neighbour(s, a, 1);
       if (face == kNoSlot) continue;
       faces.open[a][side] = solids.open_at(a, face);
+      faces.solid[a][side] = solids.velocity_at(a, face);
       const bool closed = !(faces.open[a][side] > 0);
       faces.known[a][side] = closed || velocity.known[a][face] != 0;
       if (faces.known[a][side])
@@ -35,16 +37,16 @@ Faces faces_of_cell(const MacVelocity& velocity, const SolidFaces& solids, Slot 
   return faces;
 }
 
-/// What solids leave of a cell. A flat one that is square to an axis leaves the share that it
-/// leaves of the faces along it; those on planes of the grid close faces and take nothing.
+/// The part of a cell that solids leave. A flat one that is square to an axis leaves the part that
+/// it leaves of the faces along it; those on planes of the grid close faces and take nothing.
 double open_part(const Faces& faces) {
   double most = 0;
   bool whole = true, any = false;
   for (const auto& open : faces.open) {
     most = std::max(most, (open[0] + open[1]) / 2);
-    for (const double share : open) {
-      whole = whole && (share == 0 || share == 1);
-      any = any || share == 1;
+    for (const double part : open) {
+      whole = whole && (part == 0 || part == 1);
+      any = any || part == 1;
     }
   }
   return whole && any ? 1 : most;
@@ -74,43 +76,45 @@ Part liquid_part(const Liquid& liquid, Slot s) {
   return {cut.volume, h * cut.offset * normal};
 }
 
-void add_cell(const Faces& faces, const Point& centre, const Part& part, double mass,
-              const Point& gravity, LiquidMeasures& sum) {
+/// The mass in a cell, and its centre.
+struct CellMass {
+  double mass = 0;
+  Point at = Point::Zero();
+};
+
+void add_cell(const Faces& faces, const CellMass& cell, LiquidMeasures& sum) {
   Point u;
   double squares = 0;
   for (int a = 0; a < 3; ++a) {
     u[a] = (faces.u[a][0] + faces.u[a][1]) / 2;
     squares += (faces.u[a][0] * faces.u[a][0] + faces.u[a][1] * faces.u[a][1]) / 2;
   }
-  const Point at = centre + part.offset;
-  sum.kinetic_energy += mass * squares / 2;
-  sum.potential_energy -= mass * gravity.dot(at);
-  sum.momentum += mass * u;
-  sum.angular_momentum += mass * at.cross(u);
+  sum.kinetic_energy += cell.mass * squares / 2;
+  sum.momentum += cell.mass * u;
+  sum.angular_momentum += cell.mass * cell.at.cross(u);
 }
 
-/// Of the velocity through what is open of the faces and the solid's through the rest.
-double divergence(const MacVelocity& velocity, const SolidFaces& solids, const Faces& faces,
-                  Slot s) {
+/// The flow out of a cell, over h²: the velocity through what is open of the faces, and the
+/// solid's through the rest.
+double outflow(const Faces& faces) {
   double flow = 0;
   for (int a = 0; a < 3; ++a)
     for (const int side : {0, 1}) {
-      const Slot face = side == 0 ? s : velocity.grid->neighbour(s, a, 1);
       const double open = faces.open[a][side];
-      const double solid = face == kNoSlot ? 0 : solids.velocity_at(a, face);
-      flow += (side == 0 ? -1 : 1) * (open * faces.u[a][side] + (1 - open) * solid);
+      flow += (side == 0 ? -1 : 1) * (open * faces.u[a][side] + (1 - open) * faces.solid[a][side]);
     }
-  return flow / velocity.grid->h();
+  return flow;
 }
 
 }  // namespace
 
-LiquidMeasures measure_liquid(const MacVelocity& velocity, const Liquid& liquid,
-                              const SolidFaces& solids, double density, const Point& gravity,
-                              const std::vector<double>* wanted) {
+LiquidMeasures measure_liquid(const MacVelocity& velocity, const FlowDomain& domain,
+                              const LiquidProperties& properties) {
+  const auto& [density, gravity, wanted] = properties;
   if (!(density > 0) || !std::isfinite(density))
     throw InvalidInput("the liquid's density is " + number(density) +
                        "; it must be finite and positive");
+  const auto& [liquid, solids] = domain;
   const SparseGrid& grid = *liquid.grid;
   const double cell = grid.h() * grid.h() * grid.h();
   LiquidMeasures sum;
@@ -122,13 +126,14 @@ LiquidMeasures measure_liquid(const MacVelocity& velocity, const Liquid& liquid,
     if (!(open > 0)) continue;
     part.volume *= open * cell;
     sum.volume += part.volume;
-    add_cell(faces, grid.centre(grid.cell(s)), part, density * part.volume, gravity, sum);
+    const CellMass mass{density * part.volume, grid.centre(grid.cell(s)) + part.offset};
+    add_cell(faces, mass, sum);
+    sum.potential_energy -= mass.mass * gravity.dot(mass.at);
     if (!liquid.inside(s)) continue;
     Point u;
     for (int a = 0; a < 3; ++a) u[a] = (faces.u[a][0] + faces.u[a][1]) / 2;
     sum.largest_velocity = std::max(sum.largest_velocity, u.norm());
-    const double rest =
-        divergence(velocity, solids, faces, s) - (wanted == nullptr ? 0 : (*wanted)[s]);
+    const double rest = outflow(faces) / grid.h() - (wanted == nullptr ? 0 : (*wanted)[s]);
     sum.largest_divergence = std::max(sum.largest_divergence, std::abs(rest));
   }
   return sum;

@@ -1,16 +1,16 @@
-// What the liquid has of energy and momentum, and how fast and how free of divergence it flows.
+// The liquid's energy and momentum, and how fast and how free of divergence it flows.
 #pragma once
 
 #include <vector>
 
 #include "sims/fluid/grid/mac_velocity.h"
 #include "sims/fluid/liquid/liquid.h"
-#include "sims/fluid/solids/solids.h"
 
 namespace suture::sims {
 
-/// In the scene's units. Sums over cells by the part of each that is liquid and no solid: D is
-/// taken as a plane there, a solid as flat by what it leaves open of the faces. Second order in h.
+/// Measures in the scene's units: sums over cells by the part of each that is liquid and no solid:
+/// D is taken as a plane there, a solid as flat by what it leaves open of the faces. Second order
+/// in h.
 struct LiquidMeasures {
   double volume = 0;  ///< as the grid sees it; the surface's is exact
   double kinetic_energy = 0;
@@ -21,11 +21,18 @@ struct LiquidMeasures {
   double largest_divergence = 0;           ///< beyond the wanted one, of cells inside, per time
 };
 
+/// What a measurement takes into account beside the flow.
+struct LiquidProperties {
+  double density = 1;
+  Point gravity = Point::Zero();
+  /// The divergence that is wanted in each cell, as in ProjectionInput. Null: none.
+  const std::vector<double>* divergence = nullptr;
+};
+
 /// Faces that are not known count as the known one on the other side of the cell, closed ones as
-/// the solid, and a cell with neither is at rest. \pre sizes fit the grid; `wanted`: null, or as
-/// in ProjectionInput \throw InvalidInput unless the density is finite and positive
-LiquidMeasures measure_liquid(const MacVelocity& velocity, const Liquid& liquid,
-                              const SolidFaces& solids, double density, const Point& gravity,
-                              const std::vector<double>* wanted = nullptr);
+/// the solid, and a cell with neither is at rest. \pre sizes fit the grid
+/// \throw InvalidInput unless the density is finite and positive
+LiquidMeasures measure_liquid(const MacVelocity& velocity, const FlowDomain& domain,
+                              const LiquidProperties& properties);
 
 }  // namespace suture::sims

@@ -1,10 +1,9 @@
 // Velocity carried by itself from one grid to the next.
 #include "sims/fluid/velocity/advect_velocity.h"
 
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
+
+#include "kernel/parallel.h"
 
 namespace suture::sims {
 namespace {
@@ -16,17 +15,15 @@ struct Path {
   Point start;
 };
 
-/// Each on whichever thread: none looks at what another writes.
+/// Calls visit(path) with each, on whichever thread: none looks at what another writes.
 template <class Visit>
 void for_each_path(std::vector<Path>& paths, Visit visit) {
   constexpr std::size_t kGrain = 4096;
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, paths.size(), kGrain),
-                    [&](const auto& range) {
-                      for (std::size_t i = range.begin(); i < range.end(); ++i) visit(paths[i]);
-                    });
+  parallel_for(
+      paths.size(), [&](std::size_t i) { visit(paths[i]); }, kGrain);
 }
 
-/// Selle et al.'s second pass: half of what going there and back changes is taken off again.
+/// The second pass of Selle et al. takes off again half of what going there and back changes.
 void correct(MacVelocity& now, const MacVelocity& old, std::vector<Path>& paths, double dt) {
   const MacVelocity there = now;
   for_each_path(paths, [&](const Path& path) {
@@ -54,7 +51,7 @@ Point path_start(const MacVelocity& u, const Point& p, double dt) {
 
 MacVelocity carried(const MacVelocity& old, const Liquid& liquid, double dt,
                     VelocityAdvection scheme) {
-  MacVelocity now(*liquid.grid);
+  MacVelocity now(liquid.grid);
   std::vector<Path> paths;
   for_each_carried_face(liquid, [&](int axis, Slot s) {
     now.known[axis][s] = 1;

@@ -33,7 +33,7 @@ void for_each_carried_face(const Liquid& liquid, Visit visit) {
 MacVelocity carried(const MacVelocity& old, const Liquid& liquid, double dt,
                     VelocityAdvection scheme);
 
-/// Where the path through u that ends at p after dt began; dt < 0 goes on instead.
+/// Where the path through u began that ends at p after dt; dt < 0 goes on instead.
 Point path_start(const MacVelocity& u, const Point& p, double dt);
 
 }  // namespace suture::sims

@@ -12,29 +12,28 @@ namespace {
 
 /// How near to a cell's centre its surface may be, as a part of the way to the next: a row grows
 /// with the reciprocal. The pressure this is off by is that of so small a part of a cell.
-constexpr double kLeastShare = 1e-3;
+constexpr double kLeastWay = 1e-3;
+
+[[noreturn]] void refuse(const char* what) { throw InvalidInput(std::string("pressure: ") + what); }
 
 void check(const MacVelocity& velocity, const ProjectionInput& in) {
-  const auto require = [](bool holds, const char* what) {
-    if (!holds) throw InvalidInput(std::string("pressure: ") + what);
-  };
-  require(in.density > 0 && std::isfinite(in.density), "the density must be finite and above 0");
-  require(in.dt > 0 && std::isfinite(in.dt), "the time step must be finite and above 0");
+  if (!(in.density > 0) || !std::isfinite(in.density))
+    refuse("the density must be finite and above 0");
+  if (!(in.dt > 0) || !std::isfinite(in.dt)) refuse("the time step must be finite and above 0");
   const std::size_t size = in.liquid.distance.size();
-  require(
-      velocity.grid != nullptr && in.liquid.grid == velocity.grid && velocity.grid->size() == size,
-      "velocity and liquid must be on one grid");
+  if (velocity.grid == nullptr || in.liquid.grid != velocity.grid || velocity.grid->size() != size)
+    refuse("velocity and liquid must be on one grid");
   for (int a = 0; a < 3; ++a) {
-    require(velocity.u[a].size() == size && velocity.known[a].size() == size,
-            "the velocity has not one value a face");
-    require(!in.solids.any() ||
-                (in.solids.open[a].size() == size && in.solids.velocity[a].size() == size),
-            "the solids' faces are of another grid");
-    require(in.jump == nullptr || (*in.jump)[a].size() == size,
-            "the pressure's jump has not one value a face");
+    if (velocity.u[a].size() != size || velocity.known[a].size() != size)
+      refuse("the velocity has not one value a face");
+    if (in.solids.any() &&
+        (in.solids.open[a].size() != size || in.solids.velocity[a].size() != size))
+      refuse("the solids' faces are of another grid");
+    if (in.jump != nullptr && (*in.jump)[a].size() != size)
+      refuse("the pressure's jump has not one value a face");
   }
-  require(in.divergence == nullptr || in.divergence->size() == size,
-          "the wanted divergence has not one value a cell");
+  if (in.divergence != nullptr && in.divergence->size() != size)
+    refuse("the wanted divergence has not one value a cell");
 }
 
 /// One of a cell's six faces.
@@ -52,7 +51,7 @@ class Projection {
         liquid_(in.liquid),
         grid_(*velocity.grid),
         unit_(in.dt / (in.density * grid_.h())),
-        matrix_(grid_),
+        matrix_(velocity.grid),
         right_(grid_.size(), 0),
         q_(grid_.size(), 0) {}
 
@@ -75,12 +74,15 @@ class Projection {
     for (int axis = 0; axis < 3; ++axis)
       for (const int side : {-1, 1}) visit(face(s, axis, side));
   }
-  double share(const Face& f) const { return std::max(kLeastShare, liquid_.share(f.axis, f.slot)); }
-  /// q of the liquid at the surface.
+  /// The way from the centre of the cell inside to the surface, in cells.
+  double way(const Face& f) const {
+    return std::max(kLeastWay, liquid_.way_to_surface(f.axis, f.slot));
+  }
+  /// The liquid's q at the surface.
   double at_surface(const Face& f) const {
     return in_.jump == nullptr ? 0 : unit_ * (*in_.jump)[f.axis][f.slot];
   }
-  double volume_share(Slot s) const;
+  double open_volume(Slot s) const;
   void add_row(Slot s);
   void close_sealed();
   void take_from_right();
@@ -91,7 +93,7 @@ class Projection {
   const ProjectionInput& in_;
   const Liquid& liquid_;
   const SparseGrid& grid_;
-  double unit_;  ///< q of a pressure
+  double unit_;  ///< the q of a pressure of 1
   SevenPoint matrix_;
   std::vector<double> right_, q_;
   std::vector<Slot> airy_;  ///< the cells with a face to air
@@ -106,7 +108,7 @@ Face Projection::face(Slot s, int axis, int side) const {
 
 /// How much of a cell no solid has: the middle one of what its pairs of faces leave open, which is
 /// right for a plane across an axis.
-double Projection::volume_share(Slot s) const {
+double Projection::open_volume(Slot s) const {
   if (!in_.solids.any()) return 1;
   std::array<double, 3> open;
   for (int a = 0; a < 3; ++a)
@@ -115,7 +117,8 @@ double Projection::volume_share(Slot s) const {
   return open[1];
 }
 
-/// What flows out of the cell: open·u + (1 − open)·u of the solid, u less the difference of q.
+/// The row says what flows out of the cell: open·u + (1 − open)·u of the solid, u less the
+/// difference of q.
 void Projection::add_row(Slot s) {
   double diagonal = 0, right = 0;
   bool air = false;
@@ -129,12 +132,12 @@ void Projection::add_row(Slot s) {
       if (f.side < 0) matrix_.low[f.axis][s] = -open;
     } else {
       air = true;
-      diagonal += open / share(f);
-      right += open / share(f) * at_surface(f);
+      diagonal += open / way(f);
+      right += open / way(f) * at_surface(f);
     }
   });
   if (diagonal == 0) return;  // closed all round
-  if (in_.divergence != nullptr) right += volume_share(s) * (*in_.divergence)[s] * grid_.h();
+  if (in_.divergence != nullptr) right += open_volume(s) * (*in_.divergence)[s] * grid_.h();
   if (!std::isfinite(right)) {
     const Point p = grid_.centre(grid_.cell(s));
     throw InvalidInput("pressure: what flows out of the cell at " + number(p[0]) + ", " +
@@ -189,8 +192,8 @@ void Projection::take_from_right() {
     visit_faces(s, [&](const Face& f) {
       const double open = in_.solids.open_at(f.axis, f.slot);
       if (open == 0 || liquid_.inside(f.other)) return;
-      sum += open / share(f) * at_surface(f);
-      weights += open / share(f);
+      sum += open / way(f) * at_surface(f);
+      weights += open / way(f);
     });
     q_[s] = sum / weights;
   }
@@ -217,15 +220,15 @@ void Projection::correct_face(int axis, Slot s) {
   if (up && down)
     u -= q_[s] - q_[below];
   else if (up)
-    u -= (q_[s] - at_surface(f)) / share(f);
+    u -= (q_[s] - at_surface(f)) / way(f);
   else
-    u -= (at_surface(f) - q_[below]) / share(f);
+    u -= (at_surface(f) - q_[below]) / way(f);
   velocity_.known[axis][s] = 1;
 }
 
 void Projection::correct() {
-  std::array<std::vector<Slot>, 3> free;  // faces of drops, known as before
-  for (const Slot s : liquid_.drops)
+  std::array<std::vector<Slot>, 3> free;  // faces of droplets, known as before
+  for (const Slot s : liquid_.droplet_cells)
     visit_faces(s, [&](const Face& f) {
       if (velocity_.known[f.axis][f.slot] != 0) free[f.axis].push_back(f.slot);
     });

@@ -13,8 +13,8 @@ namespace {
 
 using Square = Eigen::Matrix<double, 6, 6>;
 
-/// Of a body's six motions' masses, as parts of the largest: motions that its few faces cannot tell
-/// apart have masses of rounding; real ones are above a small share's.
+/// The least mass of one of a body's six motions, as a part of the largest: motions that its few
+/// faces cannot tell apart have masses of rounding; real ones are above a small fraction's.
 constexpr double kLeastMode = 1e-10;
 
 /// The body of each unknown, numbered by their first unknowns.

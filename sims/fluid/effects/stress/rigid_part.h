@@ -12,8 +12,8 @@ class RigidPart {
  public:
   explicit RigidPart(const ViscousSystem& system);
 
-  /// Adds to each body the rigid motion that makes the system's energy least: of a free body its
-  /// momenta become those before the step, to rounding, at any stiffness.
+  /// Adds to each body the rigid motion that makes the system's energy least: the momenta of a free
+  /// body become those before the step, to rounding, at any stiffness.
   void correct(std::vector<double>& v) const;
 
   std::size_t bodies() const { return bodies_.size(); }

@@ -3,9 +3,10 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <utility>
 
-#include "sims/fluid/velocity/advect_velocity.h"
 #include "sims/fluid/grid/grid_corners.h"
+#include "sims/fluid/velocity/advect_velocity.h"
 
 namespace suture::sims {
 namespace {
@@ -23,6 +24,13 @@ Point position(const SparseGrid& grid, int place, Slot s) {
   const std::array<double, 3> w = within(place);
   return grid.origin() + grid.h() * Point(c[0] + w[0], c[1] + w[1], c[2] + w[2]);
 }
+
+/// Where a strain has components: the middle of a cell (kind 0) or of one of its edges along an
+/// axis (kind 1 + axis).
+struct Place {
+  int kind;
+  Slot slot;
+};
 
 /// Calls visit(component) with those at a place.
 template <class Visit>
@@ -54,13 +62,14 @@ struct PlacesRound {
   std::array<Slot, 16> slots;
   std::array<double, 16> weights{};
 
-  PlacesRound(const Strain& strain, int from, Slot s, int to) {
-    const std::array<double, 3> own = within(from), other = within(to);
+  /// `to`: the kind of the other ones.
+  PlacesRound(const Strain& strain, const Place& from, int to) {
+    const std::array<double, 3> own = within(from.kind), other = within(to);
     int first = 0, second = 2;
     while (own[first] == other[first]) ++first;
     while (own[second] == other[second]) --second;
     bool all = true;
-    const auto rows = row(*strain.grid, s, first, own[first] > 0 ? 1 : 2);
+    const auto rows = row(*strain.grid, from.slot, first, own[first] > 0 ? 1 : 2);
     for (int i = 0; i < 4; ++i) {
       std::array<Slot, 4> cells;
       cells.fill(kNoSlot);
@@ -104,7 +113,7 @@ Eigen::Matrix3d tensor_at(const Strain& strain, int place, Slot s) {
     if (other == place) {
       for_each_component(place, [&](int c) { set(c, strain.elastic.part(c)[s]); });
     } else {
-      const PlacesRound round(strain, place, s, other);
+      const PlacesRound round(strain, {place, s}, other);
       for_each_component(other, [&](int c) { set(c, round.mean(strain.elastic.part(c))); });
     }
   }
@@ -123,8 +132,8 @@ Point spin(const MacVelocity& u, const Point& p) {
          Point(slope(2, 1) - slope(1, 2), slope(0, 2) - slope(2, 0), slope(1, 0) - slope(0, 1));
 }
 
-/// A smooth vector field at the cells that a strain's places touch; on edges, the mean of these:
-/// what follows paths costs the most here, and they need not be followed from each place by itself.
+/// A smooth vector field at the cells that a strain's places touch, and on edges the mean of these:
+/// following paths costs the most here, and they need not be followed from each place by itself.
 class CellField {
  public:
   template <class Value>
@@ -133,7 +142,7 @@ class CellField {
     for (Slot s = 0; s < grid_.size(); ++s)
       for (int a = 0; a < 3; ++a)
         if (strain.known[1 + a][s] != 0)
-          for_each_cell_round(grid_, a, s, [&](Slot cell) { made_[cell] = 1; });
+          for (const Slot cell : cells_round_edge(grid_, a, s)) made_[cell] = 1;
     for (Slot s = 0; s < grid_.size(); ++s)
       if (made_[s] != 0) values_[s] = value(position(grid_, 0, s));
   }
@@ -142,10 +151,10 @@ class CellField {
     if (place == 0) return values_[s];
     Point sum = Point::Zero();
     int count = 0;
-    for_each_cell_round(grid_, place - 1, s, [&](Slot cell) {
+    for (const Slot cell : cells_round_edge(grid_, place - 1, s)) {
       sum += values_[cell];
       ++count;
-    });
+    }
     return sum / count;
   }
 
@@ -177,23 +186,27 @@ TensorField turned(const Strain& strain, const MacVelocity& u, double dt) {
   return made;
 }
 
-/// From where the paths to a grid's places come in dt, before these.
-GridCorners start(const Strain& old, const Strain& now, const CellField& ways, int place, Slot s) {
-  return {*old.grid, within(place), position(*now.grid, place, s) + ways.at(place, s)};
-}
+/// Where the paths that lead to a strain's places begin, on a grid.
+struct PathStarts {
+  const Strain& to;
+  const SparseGrid& grid;
+  CellField ways;  ///< from the places to where their paths begin
 
-/// MacCormack's second pass, as for the velocity.
-void correct(Strain& now, const Strain& old, const MacVelocity& u, const CellField& ways,
-             double dt) {
+  GridCorners at(int place, Slot s) const {
+    return {grid, within(place), position(*to.grid, place, s) + ways.at(place, s)};
+  }
+};
+
+/// MacCormack's second pass, as for the velocity: `ahead` are where the paths lead that begin at
+/// the places.
+void correct(Strain& now, const Strain& old, const PathStarts& starts, const PathStarts& ahead) {
   const TensorField there = now.elastic;
-  const CellField ahead(now, [&](const Point& p) -> Point { return path_start(u, p, -dt) - p; });
   for (int place = 0; place < 4; ++place)
     for (Slot s = 0; s < now.grid->size(); ++s) {
       if (now.known[place][s] == 0) continue;
       const Slot before = old.grid->find(now.grid->cell(s));
       if (before == kNoSlot || old.known[place][before] == 0) continue;
-      const GridCorners from = start(old, now, ways, place, s);
-      const GridCorners to = start(now, now, ahead, place, s);
+      const GridCorners from = starts.at(place, s), to = ahead.at(place, s);
       for_each_component(place, [&](int c) {
         const auto bounds = from.bounds(old.elastic.part(c), old.known[place]);
         if (!bounds.any) return;
@@ -207,9 +220,9 @@ void correct(Strain& now, const Strain& old, const MacVelocity& u, const CellFie
 
 }  // namespace
 
-Strain::Strain(const SparseGrid& g) : grid(&g) {
-  elastic.fill(g.size(), 0);
-  for (auto& k : known) k.assign(g.size(), 0);
+Strain::Strain(SharedGrid g) : grid(std::move(g)) {
+  elastic.fill(grid->size(), 0);
+  for (auto& k : known) k.assign(grid->size(), 0);
 }
 
 std::size_t Strain::memory() const {
@@ -218,27 +231,30 @@ std::size_t Strain::memory() const {
   return bytes;
 }
 
-Strain carried(const Strain& old, const MacVelocity& u, const SparseGrid& new_grid,
-               const Liquid& liquid, double dt) {
+Strain carried(const Strain& old, const MacVelocity& u, const Liquid& liquid, double dt) {
   if (!old.any()) return {};
   Strain turned_old = old;
   turned_old.elastic = turned(old, u, dt);
-  Strain now(new_grid);
-  const Shares shares = liquid_shares(liquid);
+  Strain now(liquid.grid);
+  const SparseGrid& grid = *now.grid;
+  const VolumeFractions fractions = volume_fractions(liquid);
   for (int place = 0; place < 4; ++place) {
-    const std::vector<float>& share = place == 0 ? shares.cell : shares.edge[place - 1];
-    for (Slot s = 0; s < new_grid.size(); ++s) now.known[place][s] = share[s] > 0;
+    const std::vector<float>& fraction = place == 0 ? fractions.cell : fractions.edge[place - 1];
+    for (Slot s = 0; s < grid.size(); ++s) now.known[place][s] = fraction[s] > 0;
   }
-  const CellField ways(now, [&](const Point& p) -> Point { return path_start(u, p, dt) - p; });
+  const auto ways = [&](double time) {
+    return CellField(now, [&](const Point& p) -> Point { return path_start(u, p, time) - p; });
+  };
+  const PathStarts starts{now, *old.grid, ways(dt)};
   for (int place = 0; place < 4; ++place)
-    for (Slot s = 0; s < new_grid.size(); ++s) {
+    for (Slot s = 0; s < grid.size(); ++s) {
       if (now.known[place][s] == 0) continue;
-      const GridCorners from = start(turned_old, now, ways, place, s);
+      const GridCorners from = starts.at(place, s);
       for_each_component(place, [&](int c) {
         now.elastic.part(c)[s] = from.value(turned_old.elastic.part(c), old.known[place], 0);
       });
     }
-  correct(now, turned_old, u, ways, dt);
+  correct(now, turned_old, starts, {now, grid, ways(-dt)});
   return now;
 }
 

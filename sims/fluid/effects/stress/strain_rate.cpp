@@ -16,6 +16,26 @@ constexpr double kFlat = 1e-6;
 
 }  // namespace
 
+FewSlots edges_of_cell(const SparseGrid& grid, int axis, Slot s) {
+  FewSlots edges;
+  for (const Slot low : {s, grid.neighbour(s, next_axis(axis), 1)}) {
+    if (low == kNoSlot) continue;
+    edges.add(low);
+    edges.add(grid.neighbour(low, prev_axis(axis), 1));
+  }
+  return edges;
+}
+
+FewSlots cells_round_edge(const SparseGrid& grid, int axis, Slot s) {
+  FewSlots cells;
+  for (const Slot high : {s, grid.neighbour(s, next_axis(axis), -1)}) {
+    if (high == kNoSlot) continue;
+    cells.add(high);
+    cells.add(grid.neighbour(high, prev_axis(axis), -1));
+  }
+  return cells;
+}
+
 void TensorField::fill(std::size_t slots, double value) {
   for (int c = 0; c < 6; ++c) part(c).assign(slots, value);
 }
@@ -36,7 +56,7 @@ double StrainRate::value(const RateStencil& r, const MacVelocity& velocity) cons
 RateStencil StrainRate::stretch(int axis, Slot s) const {
   RateStencil r;
   const Slot next = grid().neighbour(s, axis, 1);
-  double weight = shares_->cell[s];
+  double weight = fractions_->cell[s];
   if (weight == 0 || next == kNoSlot) return r;
   double way = 1;
   if (solids_->any() && held(axis, s) != held(axis, next)) {
@@ -76,12 +96,12 @@ double StrainRate::wetted(const RateStencil& r) const {
   double weight = r.weight;
   for (int n = 0; n < r.faces; ++n)
     if (held(r.axis[n], r.slot[n]))
-      weight = std::min<double>(weight, shares_->face[r.axis[n]][r.slot[n]]);
+      weight = std::min<double>(weight, fractions_->face[r.axis[n]][r.slot[n]]);
   return weight;
 }
 
-/// In cells, from the wall to the middle of that of two neighbouring faces which is not held; 1
-/// where there is no wall between.
+/// The way, in cells, from the wall to the middle of that of two neighbouring faces which is not
+/// held; 1 where there is no wall between.
 double StrainRate::way_from_wall(int axis, Slot one, Slot other) const {
   if (held(axis, one) == held(axis, other)) return 1;
   const double open = solids_->open[axis][one] + solids_->open[axis][other];
@@ -92,7 +112,7 @@ RateStencil StrainRate::shear(int axis, Slot s) const {
   RateStencil r;
   const int b = next_axis(axis), c = prev_axis(axis);
   const Slot below_b = grid().neighbour(s, b, -1), below_c = grid().neighbour(s, c, -1);
-  r.weight = shares_->edge[axis][s];
+  r.weight = fractions_->edge[axis][s];
   if (r.weight == 0 || below_b == kNoSlot || below_c == kNoSlot) return RateStencil{};
   r.faces = 4;
   r.axis = {b, b, c, c};

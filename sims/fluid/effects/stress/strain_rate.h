@@ -7,7 +7,6 @@
 
 #include "sims/fluid/grid/mac_velocity.h"
 #include "sims/fluid/liquid/volume_fractions.h"
-#include "sims/fluid/solids/solids.h"
 
 namespace suture::sims {
 
@@ -28,27 +27,25 @@ struct TensorField {
   std::size_t memory() const;
 };
 
-/// Calls visit(slot) with the edges of cell s along `axis` that exist.
-template <class Visit>
-void for_each_edge(const SparseGrid& grid, int axis, Slot s, Visit visit) {
-  const Slot next = grid.neighbour(s, next_axis(axis), 1);
-  for (const Slot low : {s, next}) {
-    if (low == kNoSlot) continue;
-    visit(low);
-    if (const Slot high = grid.neighbour(low, prev_axis(axis), 1); high != kNoSlot) visit(high);
+/// Up to four slots, to loop over.
+class FewSlots {
+ public:
+  void add(Slot s) {
+    if (s != kNoSlot) slots_[count_++] = s;
   }
-}
+  const Slot* begin() const { return slots_.data(); }
+  const Slot* end() const { return slots_.data() + count_; }
 
-/// Calls visit(slot) with the cells round the edge along `axis` from the low corner of cell s.
-template <class Visit>
-void for_each_cell_round(const SparseGrid& grid, int axis, Slot s, Visit visit) {
-  const Slot below = grid.neighbour(s, next_axis(axis), -1);
-  for (const Slot high : {s, below}) {
-    if (high == kNoSlot) continue;
-    visit(high);
-    if (const Slot low = grid.neighbour(high, prev_axis(axis), -1); low != kNoSlot) visit(low);
-  }
-}
+ private:
+  std::array<Slot, 4> slots_{};
+  std::size_t count_ = 0;
+};
+
+/// The edges of cell s along `axis` that exist, as slots of the cells whose low corner they are at.
+FewSlots edges_of_cell(const SparseGrid& grid, int axis, Slot s);
+
+/// The cells that exist round the edge along `axis` from the low corner of cell s.
+FewSlots cells_round_edge(const SparseGrid& grid, int axis, Slot s);
 
 /// One number as a sum over faces of coefficient·velocity.
 struct RateStencil {
@@ -56,8 +53,11 @@ struct RateStencil {
   std::array<int, 4> axis;
   std::array<Slot, 4> slot;
   std::array<double, 4> coefficient;
-  double weight = 0;  ///< share of the control volume that it stands for
+  double weight = 0;  ///< fraction of the control volume that it stands for
 };
+
+/// Whether liquid may slip along solids.
+enum class WallSlip { none, free };
 
 /// The numbers of the strain rate that the liquid's stress is made of: those of control volumes
 /// that have liquid. Without slip, faces whose middle is in a solid are held at its velocity, and
@@ -66,25 +66,27 @@ struct RateStencil {
 /// faces no liquid crosses; else what touches a closed face, which may slip, is left out.
 class StrainRate {
  public:
-  StrainRate(const Shares& shares, const SolidFaces& solids, bool no_slip)
-      : shares_(&shares), solids_(&solids), no_slip_(no_slip) {}
+  /// Keeps references to both.
+  StrainRate(const VolumeFractions& fractions, const SolidFaces& solids, WallSlip slip)
+      : fractions_(&fractions), solids_(&solids), no_slip_(slip == WallSlip::none) {}
 
-  const SparseGrid& grid() const { return *shares_->grid; }
+  const SharedGrid& shared_grid() const { return fractions_->grid; }
+  const SparseGrid& grid() const { return *fractions_->grid; }
   /// The face is in a solid and moves with it.
   bool held(int axis, Slot s) const {
     return solids_->any() &&
            (no_slip_ ? solids_->open[axis][s] < 0.5 : !(solids_->open[axis][s] > 0));
   }
-  /// Of the face: the solid's where it is held, and 0 where it is not known.
+  /// The face's velocity: the solid's where it is held, and 0 where it is not known.
   double velocity_at(const MacVelocity& velocity, int axis, Slot s) const {
     return held(axis, s)                  ? solids_->velocity_at(axis, s)
            : velocity.known[axis][s] != 0 ? velocity.u[axis][s]
                                           : 0;
   }
   double value(const RateStencil& stencil, const MacVelocity& velocity) const;
-  /// Of the face's control volume, what is liquid and not solid.
-  double share(int axis, Slot s) const {
-    return shares_->face[axis][s] * solids_->open_at(axis, s);
+  /// The part of the face's control volume that is liquid and not solid.
+  double fraction(int axis, Slot s) const {
+    return fractions_->face[axis][s] * solids_->open_at(axis, s);
   }
 
   /// Calls visit(stencil, component, slot) with all that there are, by slots.
@@ -100,13 +102,13 @@ class StrainRate {
   RateStencil shear(int axis, Slot s) const;    ///< 2h·D_bc
 
  private:
-  /// Of cell s, in cells, from the wall across `axis` to the face on the other side; 0 where that
-  /// is slipped along and not along the grid.
+  /// The way in cell s, in cells, from the wall across `axis` to the face on the other side; 0
+  /// where that is slipped along and not along the grid.
   double way_across(int axis, Slot s) const;
   double way_from_wall(int axis, Slot one, Slot other) const;
   double wetted(const RateStencil& r) const;
 
-  const Shares* shares_;
+  const VolumeFractions* fractions_;
   const SolidFaces* solids_;
   bool no_slip_;
 };

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "sims/fluid/effects/stress/strain_rate.h"
-#include "sims/fluid/linear/linear_solver.h"
+#include "sims/fluid/linear/linear_system.h"
 
 namespace suture::sims {
 
@@ -16,7 +16,7 @@ inline bool touches(const Liquid& liquid, int axis, Slot face) {
   return liquid.inside(face) || (low != kNoSlot && liquid.inside(low));
 }
 
-/// What a viscous stress does in a step, in velocities: shares, h and density are divided out.
+/// A viscous stress in a step, in units of velocity: fractions, h and density are divided out.
 struct StressStep {
   /// dt·(dynamic viscosity)/(density·h²): what the stress does to a face's velocity per velocity.
   double stiffness = 0;
@@ -30,11 +30,14 @@ struct StressStep {
   const Liquid* projected = nullptr;
 };
 
+/// The faces that a system solves for.
+enum class Unknowns { all, massless };
+
 /// The faces' velocities v that make ½Σ mass·(v − before)² + ½Σ stiffness·(way·v + constant)² over
 /// the terms least: the variational form of the step [Batty and Bridson 2008, eq. 9].
 struct ViscousSystem {
   struct Term {
-    std::array<std::uint32_t, 4> unknown{kNone, kNone, kNone, kNone};
+    std::array<std::uint32_t, 4> unknown{kNone, kNone, kNone, kNone};  ///< kNone: none
     std::array<float, 4> way{};
     double constant = 0, stiffness = 0;
     bool wall = false;  ///< it has a face that is not solved for
@@ -50,7 +53,7 @@ struct ViscousSystem {
     Slot slot;
     int axis;
   };
-  const SparseGrid* grid = nullptr;
+  SharedGrid grid;
   std::vector<Face> faces;  ///< of the unknowns
   std::vector<double> mass, before;
   std::vector<Term> terms;
@@ -61,27 +64,6 @@ struct ViscousSystem {
 
 /// \throw InvalidInput if a velocity that counts is not finite
 ViscousSystem viscous_system(const MacVelocity& velocity, const StrainRate& rate,
-                             const StressStep& step, bool only_massless = false);
-
-/// What a viscous step did: the solve, and the bytes it held at once beside its input.
-struct DiffusionReport : SolveReport {
-  std::size_t memory = 0;
-};
-
-/// Rows are divided by the square root of the diagonal, so that small shares weigh as whole ones,
-/// and the residual is a part of what it would be at rest, or moving with the walls. The rigid
-/// motion of each connected body, which no stress changes, is taken out and solved for by itself:
-/// otherwise it would drown in rounding where stresses are 1e10 times the masses.
-DiffusionReport solve(const ViscousSystem& system, std::vector<double>& v,
-                      const SolverOptions& options);
-
-/// Gives the known faces of the system the solution, and held ones of its terms, which become
-/// known, the solids' velocity. Faces that are not known have no mass and stay so.
-DiffusionReport step_stress(MacVelocity& velocity, const StrainRate& rate, const StressStep& step,
-                            const SolverOptions& options);
-
-/// Gives the faces without mass alone what makes the stress least, as step_stress does: what is
-/// extrapolated to them would strain.
-void relax_massless(MacVelocity& velocity, const StrainRate& rate, const StressStep& step);
+                             const StressStep& step, Unknowns unknowns = Unknowns::all);
 
 }  // namespace suture::sims

@@ -24,7 +24,7 @@ constexpr double kMostCotangent = 4;
 /// as a grid would be that is coarser by as much.
 constexpr double kCoarse = 2.3;
 /// × a third of the triangles at a vertex: the least of their area that is its own.
-constexpr double kLeastShare = 0.25;
+constexpr double kLeastOwn = 0.25;
 /// × h²: the least area of a vertex; one without an area of its own follows its neighbours.
 constexpr double kLeastArea = 1e-9;
 /// Relative; far below what the curvature of a mesh is off by.
@@ -51,42 +51,44 @@ struct Shape {
     return normal.cross(side[k]) / (2 * twice_area);
   }
   double cotangent(int k) const { return -side[(k + 1) % 3].dot(side[(k + 2) % 3]) / twice_area; }
-  /// Of the area what is nearest to corner k: less than nothing beside an obtuse angle.
-  double share(int k) const {
+  /// The area that is nearest to corner k; below 0 beside an obtuse angle.
+  double own_area(int k) const {
     const int i = (k + 1) % 3, j = (k + 2) % 3;
     return (side[i].squaredNorm() * cotangent(i) + side[j].squaredNorm() * cotangent(j)) / 8;
   }
 };
 
-/// What triangles give to their vertices, in cells.
+/// Sums over the triangles round each vertex, in units of cells.
 struct Forms {
   std::vector<Point> area_gradient, volume_gradient, solid;  ///< solid: sum of wet normals
-  Vector share, third;  ///< of the area: what is nearest to the vertex; a third of each triangle
-  Vector stiffness;     ///< a vertex's own part of the coupling
+  Vector own, third;  ///< areas: what is nearest to the vertex; a third of each triangle
+  Vector stiffness;   ///< a vertex's own part of the coupling
   std::vector<Eigen::Triplet<Complex>> coupling;
 
   explicit Forms(std::size_t vertices)
       : area_gradient(vertices, Point::Zero()),
         volume_gradient(area_gradient),
         solid(area_gradient),
-        share(Vector::Zero(static_cast<Eigen::Index>(vertices))),
-        third(share),
-        stiffness(share) {}
+        own(Vector::Zero(static_cast<Eigen::Index>(vertices))),
+        third(own),
+        stiffness(own) {}
+
+  void add(const Shape& shape, const Triangle& t, double smoothing);
 };
 
-void add_triangle(const Shape& shape, const Triangle& t, double smoothing, Forms& forms) {
+void Forms::add(const Shape& shape, const Triangle& t, double smoothing) {
   const double spread = smoothing * smoothing * std::max(1.0, kCoarse * shape.twice_area);
   for (int k = 0; k < 3; ++k) {
     const std::uint32_t a = t[(k + 1) % 3], b = t[(k + 2) % 3];
-    forms.area_gradient[t[k]] += shape.gradient(k);
-    forms.volume_gradient[t[k]] += shape.normal / 6;
-    forms.share[t[k]] += shape.share(k);
-    forms.third[t[k]] += shape.twice_area / 6;
+    area_gradient[t[k]] += shape.gradient(k);
+    volume_gradient[t[k]] += shape.normal / 6;
+    own[t[k]] += shape.own_area(k);
+    third[t[k]] += shape.twice_area / 6;
     const double weight = spread / 2 * std::clamp(shape.cotangent(k), 0.0, kMostCotangent);
-    forms.stiffness[a] += weight;
-    forms.stiffness[b] += weight;
-    forms.coupling.emplace_back(a, b, Complex(0, -weight));
-    forms.coupling.emplace_back(b, a, Complex(0, -weight));
+    stiffness[a] += weight;
+    stiffness[b] += weight;
+    coupling.emplace_back(a, b, Complex(0, -weight));
+    coupling.emplace_back(b, a, Complex(0, -weight));
   }
 }
 
@@ -98,7 +100,7 @@ Forms forms_of(const Triangles& surface, double h, const CurvatureOptions& optio
     if (wet(t, options.on_solid))
       for (const std::uint32_t v : t) forms.solid[v] += shape.normal;
     else if (shape.twice_area > 0)
-      add_triangle(shape, t, options.smoothing, forms);
+      forms.add(shape, t, options.smoothing);
   }
   return forms;
 }
@@ -106,7 +108,7 @@ Forms forms_of(const Triangles& surface, double h, const CurvatureOptions& optio
 /// The area's gradient along the volume's, at the contact line with their mirror images: of these
 /// only what is along the solid remains.
 Vector integrated_curvature(const Forms& forms) {
-  Vector curvature = Vector::Zero(forms.share.size());
+  Vector curvature = Vector::Zero(forms.own.size());
   for (std::size_t v = 0; v < forms.solid.size(); ++v) {
     Point area = forms.area_gradient[v], volume = forms.volume_gradient[v];
     if (const double length = forms.solid[v].norm(); length > 0) {
@@ -124,34 +126,48 @@ Vector integrated_curvature(const Forms& forms) {
 class Filter {
  public:
   explicit Filter(const Forms& forms)
-      : share_(forms.share.cwiseMax(kLeastShare * forms.third).cwiseMax(kLeastArea)),
-        matrix_(share_.size(), share_.size()) {
+      : area_(forms.own.cwiseMax(kLeastOwn * forms.third).cwiseMax(kLeastArea)),
+        matrix_(area_.size(), area_.size()) {
     matrix_.setFromTriplets(forms.coupling.begin(), forms.coupling.end());
-    Eigen::VectorXcd own(share_.size());
-    own.real() = share_;
+    Eigen::VectorXcd own(area_.size());
+    own.real() = area_;
     own.imag() = forms.stiffness;
     matrix_ += Matrix(own.asDiagonal());
     solver_.setTolerance(kTolerance);
     solver_.compute(matrix_);
   }
 
-  /// What is left of something, and what is not, both integrated over vertices' shares to begin
-  /// with. The real part of 1/(1 + is) is 1/(1 + s²): with s = (k·smoothing)² one complex solution
-  /// filters.
-  Vector smooth(const Vector& integrated) const {
+  /// The part of something that the filter leaves, and the part that it takes; what is given is
+  /// integrated over vertices' areas. The real part of 1/(1 + is) is 1/(1 + s²): with s =
+  /// (k·smoothing)² one complex solution filters.
+  Vector smooth(const Vector& integrated) {
     Vector left = solver_.solve(integrated.cast<Complex>()).real();
     if (!left.allFinite())
       throw InternalFailure("surface tension", "the filter of the curvature has no solution");
+    add_report();
     return left;
   }
-  Vector rest(const Vector& integrated) const {
-    return integrated - share_.cwiseProduct(smooth(integrated));
+  Vector rest(const Vector& integrated) {
+    return integrated - area_.cwiseProduct(smooth(integrated));
   }
+  /// All solves so far: the iterations of all, the worst of the rest.
+  const SolveReport& report() const { return report_; }
 
  private:
-  Vector share_;
+  void add_report() {
+    const SolveStatus status = solver_.info() == Eigen::Success ? SolveStatus::converged
+                               : solver_.info() == Eigen::NoConvergence
+                                   ? SolveStatus::iterations_exhausted
+                                   : SolveStatus::broken_down;
+    report_.iterations += static_cast<int>(solver_.iterations());
+    report_.residual = std::max(report_.residual, static_cast<double>(solver_.error()));
+    report_.status = std::max(report_.status, status);
+  }
+
+  Vector area_;
   Matrix matrix_;
   Eigen::BiCGSTAB<Matrix> solver_;
+  SolveReport report_;
 };
 
 void check(const Triangles& surface, double h, const CurvatureOptions& options) {
@@ -171,37 +187,40 @@ std::vector<Point> area_gradient(const Triangles& surface) {
   return gradient;
 }
 
-std::vector<double> mean_curvature(const Triangles& surface, double h,
-                                   const CurvatureOptions& options) {
+Filtered<double> mean_curvature(const Triangles& surface, double h,
+                                const CurvatureOptions& options) {
   check(surface, h, options);
-  std::vector<double> result(surface.positions.size(), 0);
+  Filtered<double> result{std::vector<double>(surface.positions.size(), 0), {}};
   if (surface.positions.empty()) return result;
   const Forms forms = forms_of(surface, h, options);
-  const Vector curvature = Filter(forms).smooth(integrated_curvature(forms));
+  Filter filter(forms);
+  const Vector curvature = filter.smooth(integrated_curvature(forms));
+  result.solve = filter.report();
   for (const Triangle& t : surface.triangles)
     if (!wet(t, options.on_solid))
       for (const std::uint32_t v : t) {
         const double in_cells = curvature[static_cast<Eigen::Index>(v)];
-        result[v] = std::clamp(in_cells, -options.most, options.most) / h;
+        result.values[v] = std::clamp(in_cells, -options.most, options.most) / h;
       }
   return result;
 }
 
-std::vector<Point> ripples(const Triangles& surface, double h, const CurvatureOptions& options) {
+Filtered<Point> ripples(const Triangles& surface, double h, const CurvatureOptions& options) {
   check(surface, h, options);
-  std::vector<Point> result(surface.positions.size(), Point::Zero());
+  Filtered<Point> result{std::vector<Point>(surface.positions.size(), Point::Zero()), {}};
   if (surface.positions.empty()) return result;
   const Forms forms = forms_of(surface, h, options);
-  const Filter filter(forms);
+  Filter filter(forms);
   const Vector size = filter.smooth(filter.rest(integrated_curvature(forms)));
+  result.solve = filter.report();
   const double length = h * options.smoothing * options.smoothing;
-  for (std::size_t v = 0; v < result.size(); ++v) {
+  for (std::size_t v = 0; v < result.values.size(); ++v) {
     const bool held = options.on_solid != nullptr && (*options.on_solid)[v] != 0;
     const double across = forms.volume_gradient[v].norm();
     if (held || !(across > 0)) continue;
     const double most = size[static_cast<Eigen::Index>(v)];
-    result[v] = -length * std::clamp(most, -options.most, options.most) *
-                (forms.volume_gradient[v] / across);
+    result.values[v] = -length * std::clamp(most, -options.most, options.most) *
+                       (forms.volume_gradient[v] / across);
   }
   return result;
 }

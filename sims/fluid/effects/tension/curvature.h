@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "kernel/triangles.h"
+#include "sims/fluid/linear/linear_system.h"
 
 namespace suture::sims {
 
@@ -26,19 +27,25 @@ struct CurvatureOptions {
   const std::vector<std::uint8_t>* on_solid = nullptr;
 };
 
+/// A value a vertex, and the solve of the filter that made it.
+template <class Value>
+struct Filtered {
+  std::vector<Value> values;
+  SolveReport solve;
+};
+
 /// κ₁ + κ₂ at each vertex, positive where the liquid bulges out, 2/R on a ball: the area's gradient
 /// along the volume's by the area that is nearest to the vertex [Meyer et al. 2003], then filtered
 /// over the surface. 0 at vertices that no free triangle has. At the contact line the gradients are
 /// those of the free part and its mirror image in the solid.
 /// \throw InvalidInput if h is not finite and positive, or on_solid has not a flag a vertex
-std::vector<double> mean_curvature(const Triangles& surface, double h,
-                                   const CurvatureOptions& options = {});
+Filtered<double> mean_curvature(const Triangles& surface, double h,
+                                const CurvatureOptions& options = {});
 
 /// Per vertex a displacement that takes ripples out of the surface which the grid does not carry:
 /// along the normal, of a wave with s = (k·smoothing·h)² the part s³/(1 + s²)², a third at most.
 /// Waves of many cells keep what they have, volume too but for what is of second order. 0 on
 /// solids. \throw InvalidInput as mean_curvature
-std::vector<Point> ripples(const Triangles& surface, double h,
-                           const CurvatureOptions& options = {});
+Filtered<Point> ripples(const Triangles& surface, double h, const CurvatureOptions& options = {});
 
 }  // namespace suture::sims
