@@ -8,10 +8,10 @@
 #include <utility>
 
 #include "kernel/errors.h"
-#include "sims/fluid/effects/effects.h"
+#include "sims/fluid/effect_registry.h"
 #include "sims/fluid/liquid/subgrid_droplets.h"
-#include "sims/fluid/pressure.h"
 #include "sims/fluid/solids/wall_projection.h"
+#include "sims/fluid/velocity/pressure.h"
 
 namespace suture::sims {
 namespace {
@@ -19,31 +19,20 @@ namespace {
 constexpr int kBand = 3;         // cells round the liquid that exist whatever the step
 constexpr int kWidestBand = 40;  // and at most, for steps across many cells
 
-void require(bool holds, const char* what) {
-  if (!holds) throw InvalidInput(std::string("fluid: ") + what);
-}
+[[noreturn]] void refuse(const char* what) { throw InvalidInput(std::string("fluid: ") + what); }
+
+bool positive(double x) { return x > 0 && std::isfinite(x); }
 
 void check(const FluidOptions& o) {
-  require(o.cell_size > 0 && std::isfinite(o.cell_size), "cell_size must be finite and above 0");
-  require(o.density > 0 && std::isfinite(o.density), "density must be finite and above 0");
-  require(o.gravity.allFinite() && o.origin.allFinite(), "gravity and origin must be finite");
-  require(o.cfl > 0 && std::isfinite(o.cfl), "cfl must be finite and above 0");
-  require(o.most_steps > 0, "most_steps must be 1 or more");
-  require(o.topology_cells > 0, "topology_cells must be above 0");
+  if (!positive(o.cell_size)) refuse("cell_size must be finite and above 0");
+  if (!positive(o.density)) refuse("density must be finite and above 0");
+  if (!o.gravity.allFinite() || !o.origin.allFinite()) refuse("gravity and origin must be finite");
+  if (!positive(o.cfl)) refuse("cfl must be finite and above 0");
+  if (o.most_steps <= 0) refuse("most_steps must be 1 or more");
+  if (!(o.topology_cells > 0)) refuse("topology_cells must be above 0");
   for (const SolverOptions& s : {o.pressure, o.viscous_solver})
-    require(s.tolerance > 0 && s.tolerance <= 1 && s.most_iterations > 0,
-            "a solver's tolerance must be above 0 and at most 1, and most_iterations 1 or more");
-  if (o.volume_control) check(*o.volume_control);
-  const auto at_least_0 = [](double x) { return x >= 0 && std::isfinite(x); };
-  require(at_least_0(o.viscosity.value_or(0)), "viscosity must be finite and at least 0");
-  require(at_least_0(o.surface_tension.value_or(0)), "tension must be finite and at least 0");
-  if (o.viscoelasticity) {
-    const ElasticOptions& e = *o.viscoelasticity;
-    require(at_least_0(e.modulus), "modulus must be finite and at least 0");
-    require(e.yield_strain > 0 && e.relaxation_time > 0,
-            "yield_strain and relaxation_time must be above 0");
-    require(e.flow_rate >= 0, "flow_rate must be at least 0");
-  }
+    if (!(s.tolerance > 0) || s.tolerance > 1 || s.most_iterations <= 0)
+      refuse("a solver's tolerance must be above 0 and at most 1, and most_iterations 1 or more");
 }
 
 std::size_t memory(const MacVelocity& velocity) {
@@ -52,7 +41,7 @@ std::size_t memory(const MacVelocity& velocity) {
 
 /// The velocity that a scene begins with, where the liquid is.
 MacVelocity sampled(const Fluid::Initial& initial, const Liquid& liquid) {
-  MacVelocity velocity(*liquid.grid);
+  MacVelocity velocity(liquid.grid);
   for_each_carried_face(liquid, [&](int axis, Slot s) {
     velocity.u[axis][s] = initial(liquid.grid->face(liquid.grid->cell(s), axis))[axis];
     velocity.known[axis][s] = 1;
@@ -82,22 +71,22 @@ void require_finite(const MacVelocity& velocity) {
 struct Fluid::State {
   FluidOptions options;
   Initial initial;
+  ModuleCosts costs;
+  std::vector<std::unique_ptr<Effect>> effects;  ///< in the order in which they act
   Solids solids;
-  std::unique_ptr<SparseGrid> grid;  ///< what velocity and liquid are on
   Liquid liquid;
-  std::vector<Drop> drops;
-  std::optional<DropsAtSolids> at_solids;  ///< of this step
+  std::vector<SubgridDroplet> droplets;
+  std::optional<DropletsAtSolids> at_solids;  ///< of this step
   SolidFaces faces;
   MacVelocity velocity;
   double time = 0, last_dt = 0;
   double since_surgery = 0;  ///< cells that the fastest liquid has crossed since the last surgery
   FluidStep last;
-  ModuleCosts costs;
-  std::unique_ptr<Effects> effects;
 
-  bool started() const { return grid != nullptr; }
+  bool started() const { return liquid.grid != nullptr; }
   double fall(double dt) const { return options.gravity.lpNorm<Eigen::Infinity>() * dt; }
   int band(double dt) const;
+  void find_liquid(SurfaceTracker& surface, double dt);
   void carry(SurfaceTracker& surface, double dt);
   void make_incompressible(const StepState& step);
   void bring_forward(SurfaceTracker& surface, double dt);
@@ -118,37 +107,46 @@ int Fluid::State::band(double dt) const {
   return kBand + static_cast<int>(std::min<double>(crossed, kWidestBand));
 }
 
+/// Makes a grid round the surface as it is now, and the liquid on it.
+void Fluid::State::find_liquid(SurfaceTracker& surface, double dt) {
+  const SampledSurface sampled =
+      sample_surface(surface.surface(), [&](const Point& p) { return surface.distance(p); },
+                     {options.origin, options.cell_size});
+  auto grid = std::make_shared<const SparseGrid>(grid_round(sampled, band(dt)));
+  liquid = liquid_on(std::move(grid), sampled, surface.surface(), SolidsAt(solids, time));
+  droplets = sampled.droplets;
+  last.drops = droplets.size();
+}
+
 /// A grid round the surface as it is now, with the velocity that the liquid brings along.
 void Fluid::State::carry(SurfaceTracker& surface, double dt) {
   const double by = 0.5 * (last_dt + dt);
-  const auto distance = [&](const Point& p) { return surface.distance(p); };
-  std::unique_ptr<SparseGrid> old;
-  costs.timed("grid", [&] {
-    const LiquidCells cells =
-        find_liquid(surface.surface(), distance, options.origin, options.cell_size);
-    auto next = std::make_unique<SparseGrid>(grid_round(cells, band(dt)));
-    liquid = liquid_on(*next, cells, surface.surface(), solids, time);
-    drops = cells.drops;
-    last.drops = drops.size();
-    old = std::exchange(grid, std::move(next));
-  });
-  if (old) effects->carry(velocity, liquid, last_dt);
+  const bool first = !started();
+  costs.timed("grid", [&] { find_liquid(surface, dt); });
+  if (!first)
+    for (const auto& effect : effects) effect->carry(velocity, liquid, last_dt);
   costs.timed("advection", [&] {
-    velocity = old ? carried(velocity, liquid, by, options.advection) : sampled(initial, liquid);
+    velocity = first ? sampled(initial, liquid) : carried(velocity, liquid, by, options.advection);
   });
   costs.holds("grid", liquid.memory());
   costs.holds("advection", 2 * memory(velocity));
 }
 
 void Fluid::State::make_incompressible(const StepState& step) {
-  const ProjectionInput input{liquid,  step.faces,          options.density,
-                              step.dt, effects->jump(step), effects->divergence(step)};
+  ProjectionTerms terms;
+  for (const auto& effect : effects) effect->project(step, terms);
+  const ProjectionInput input{liquid,
+                              faces,
+                              options.density,
+                              step.dt,
+                              terms.jump[0].empty() ? nullptr : &terms.jump,
+                              terms.divergence.empty() ? nullptr : &terms.divergence};
   costs.timed("pressure", [&] {
     const SolveReport solved = project(velocity, input, options.pressure);
-    costs.iterated("pressure", solved.iterations, solved.residual);
+    costs.solved("pressure", solved);
     last.residual = solved.residual;
   });
-  costs.holds("pressure", grid->size() * (6 * sizeof(double) + 1));
+  costs.holds("pressure", liquid.grid->size() * (6 * sizeof(double) + 1));
 }
 
 void Fluid::State::advect(SurfaceTracker& surface, const VelocityField& field, double dt) {
@@ -160,24 +158,30 @@ void Fluid::State::advect(SurfaceTracker& surface, const VelocityField& field, d
 }
 
 void Fluid::State::move(SurfaceTracker& surface, double dt) {
-  const double h = options.cell_size;
+  const WallProjection walls{solids, time, dt, options.cell_size};
   const bool keeps = keeps_out(surface);
   const VelocityField field = [&](const Point& p, double) {
-    const Point v = velocity.at(p) + effects->of_surface(p);
-    return keeps ? kept_out(solids, p, v, time, dt, h) : v;
+    Point own = Point::Zero();
+    for (const auto& effect : effects) own += effect->of_surface(p);
+    const Point v = velocity.at(p) + own;
+    return keeps ? walls.of_point(p, v) : v;
   };
-  effects->moving(
-      surface, [&] { costs.timed("surface", [&] { advect(surface, field, dt); }); },
-      [&](const Point& p) -> Point { return p + dt * field(p + 0.5 * dt * field(p, 0), 0); });
+  for (const auto& effect : effects) effect->before_move(surface);
+  costs.timed("surface", [&] { advect(surface, field, dt); });
+  const SurfacePath path = [&](const Point& p) -> Point {
+    return p + dt * field(p + 0.5 * dt * field(p, 0), 0);
+  };
+  for (const auto& effect : effects) effect->after_move(surface, path);
 }
 
 Fluid::Fluid(FluidOptions options, Initial initial) : state_(std::make_unique<State>()) {
   check(options);
-  for (const SolidOptions& s : options.solids)
-    state_->solids.all.push_back(make_solid(s, options.origin, options.cell_size));
-  state_->options = std::move(options);
-  state_->effects = std::make_unique<Effects>(state_->options, state_->costs);
-  state_->initial = std::move(initial);
+  State& s = *state_;
+  s.effects = make_effects(options, s.costs);
+  for (const SolidOptions& solid : options.solids)
+    s.solids.all.push_back(make_solid(solid, {options.origin, options.cell_size}));
+  s.options = std::move(options);
+  s.initial = std::move(initial);
 }
 
 Fluid::~Fluid() = default;
@@ -185,58 +189,62 @@ Fluid::~Fluid() = default;
 double Fluid::longest_step() const {
   const State& s = *state_;
   const FluidOptions& o = s.options;
-  if (s.started() && s.grid->size() == 0)  // no liquid is left that could be too fast
+  if (s.started() && s.liquid.grid->size() == 0)  // no liquid is left that could be too fast
     return std::numeric_limits<double>::infinity();
   const double speed =
       std::max(s.started() ? largest_component(s.velocity) : 0, s.solids.fastest());
   // What falls with g from this speed crosses cfl cells in the root of g t² + speed t = cfl h.
   const double reach = o.cfl * o.cell_size, g = s.fall(1);
-  return std::min(2 * reach / (speed + std::sqrt(speed * speed + 4 * g * reach)),
-                  s.effects->longest_step());
+  double longest = 2 * reach / (speed + std::sqrt(speed * speed + 4 * g * reach));
+  for (const auto& effect : s.effects) longest = std::min(longest, effect->longest_step());
+  return longest;
 }
 
 int Fluid::most_steps() const { return state_->options.most_steps; }
 
-/// The velocity to the middle of the next dt.
+/// Brings the velocity to the middle of the next dt.
 void Fluid::State::bring_forward(SurfaceTracker& surface, double dt) {
   const double by = 0.5 * (last_dt + dt), then = time + 0.5 * dt;
+  const std::size_t unconverged = costs.unconverged();
   carry(surface, dt);
   add_force(velocity, options.gravity * by);
   if (solids.any()) {
-    costs.timed("solids", [&] { faces = faces_of(solids, *grid, then); });
+    costs.timed("solids", [&] { faces = faces_of(solids, *liquid.grid, then); });
     costs.holds("solids", faces.memory() + solids.memory());
   }
-  StepState step{velocity, liquid, faces, solids, surface.surface(), time, by};
-  effects->stress(step);
+  StepState step{velocity, {liquid, faces}, solids, surface.surface(), time, by};
+  for (const auto& effect : effects) effect->stress(step);
   make_incompressible(step);
-  if (!drops.empty() && keeps_out(surface))
+  if (!droplets.empty() && keeps_out(surface))
     costs.timed("solids", [&] {
-      at_solids.emplace(drops, surface.surface(), liquid, solids, time, dt, velocity);
+      const WallProjection walls{solids, time, dt, options.cell_size};
+      at_solids.emplace(droplets, surface.surface(), walls, liquid, velocity);
     });
   costs.timed("extrapolation", [&] { extrapolate(velocity, band(dt)); });
   step.dt = dt;
-  effects->flowed(step);
-  if (solids.any()) costs.timed("solids", [&] { constrain(velocity, faces, solids, then); });
+  for (const auto& effect : effects) effect->flowed(step);
+  if (solids.any())
+    costs.timed("solids", [&] { constrain(velocity, faces, SolidsAt(solids, then)); });
   require_finite(velocity);
-  last.tension_share = effects->tension_share();
-  last.cells = grid->size();
+  for (const auto& effect : effects) effect->report(last);
+  last.unconverged = costs.unconverged() - unconverged;
+  last.cells = liquid.grid->size();
   last.liquid = static_cast<std::size_t>(std::count_if(
       liquid.distance.begin(), liquid.distance.end(), [](double d) { return d < 0; }));
   last.cfl = largest_component(velocity) * dt / options.cell_size;
 }
 
-/// No liquid is left: nothing is told of what there was.
+/// No liquid is left, nor anything that is told of it.
 void Fluid::State::dry_up() {
-  auto none =
-      std::make_unique<SparseGrid>(options.origin, options.cell_size, std::vector<Index3>{});
+  const bool first = !started();
   liquid = {};
-  liquid.grid = none.get();
-  if (started()) effects->carry(velocity, liquid, last_dt);
-  velocity = MacVelocity(*none);
-  drops.clear();
+  liquid.grid = shared_grid(options.origin, options.cell_size, {});
+  if (!first)
+    for (const auto& effect : effects) effect->carry(velocity, liquid, last_dt);
+  velocity = MacVelocity(liquid.grid);
+  droplets.clear();
   faces = {};
   last = {};
-  grid = std::move(none);
 }
 
 void Fluid::step(SurfaceTracker& surface, double dt) {
@@ -254,10 +262,10 @@ void Fluid::step(SurfaceTracker& surface, double dt) {
 }
 
 void Fluid::before_remodel(SurfaceTracker& surface) {
-  state_->effects->before_remodel(surface.surface());
+  for (const auto& effect : state_->effects) effect->before_remodel(surface.surface());
 }
 void Fluid::after_remodel(SurfaceTracker& surface) {
-  state_->effects->after_remodel(surface.surface());
+  for (const auto& effect : state_->effects) effect->after_remodel(surface.surface());
   state_->since_surgery = 0;
 }
 bool Fluid::wants_topology() const {
@@ -271,7 +279,7 @@ double Fluid::time() const { return state_->time; }
 LiquidMeasures Fluid::measures() const {
   const State& s = *state_;
   if (!s.started()) return {};
-  return measure_liquid(s.velocity, s.liquid, s.faces, s.options.density, s.options.gravity);
+  return measure_liquid(s.velocity, {s.liquid, s.faces}, {s.options.density, s.options.gravity});
 }
 const FluidStep& Fluid::last() const { return state_->last; }
 std::vector<ModuleCost> Fluid::costs() const { return state_->costs.all(); }

@@ -1,4 +1,16 @@
 // The fluid: velocity on a sparse staggered grid, a client of any surface tracker [§7].
+//
+// The rooms of sims/fluid, from the ground up; each includes only rooms before it, and the kernel:
+//   grid/      cells and staggered arrays; a closed surface sampled on them
+//   linear/    linear systems over grids, and how they are solved
+//   solids/    walls and bodies, what they leave open of faces, the projection along them
+//   liquid/    which cells are liquid: volume fractions, bodies, droplets, tracked components
+//   velocity/  what every liquid's velocity goes through: advection and the pressure projection
+//   measure/   what is told of a step: energies, costs by module
+//   effects/   one module an effect; stress/ and tension/ are their numerics, and include no
+//   effect.
+//              Of other rooms of sims they see tracking/ alone
+//   (root)     the options, which effects a scene names, the order of a step, frames
 #pragma once
 
 #include <functional>
@@ -7,23 +19,12 @@
 #include <vector>
 
 #include "sims/fluid/fluid_options.h"
-#include "sims/fluid/liquid/liquid_measures.h"
-#include "sims/fluid/module_cost.h"
+#include "sims/fluid/measure/fluid_step.h"
+#include "sims/fluid/measure/liquid_measures.h"
+#include "sims/fluid/measure/module_cost.h"
 #include "sims/tracking/simulator.h"
 
 namespace suture::sims {
-
-/// The last step, for reports.
-struct FluidStep {
-  double dt = 0;
-  double cfl = 0;          ///< cells that the fastest liquid crosses in dt
-  std::size_t cells = 0;   ///< of the grid
-  std::size_t liquid = 0;  ///< of these
-  std::size_t drops = 0;   ///< bodies of liquid without a cell centre
-  double residual = 0;     ///< of the projection, as SolveReport's
-  /// What of the surface tension acts: less than 1 where the step is longer than its waves allow.
-  double tension_share = 1;
-};
 
 /// Incompressible liquid under a free surface [Bridson 2015]. The surface is whoever's tracks it;
 /// the velocity lives half a step behind it, so that free fall is exact and both are second order
@@ -36,7 +37,7 @@ class Fluid : public Simulator {
   Fluid(FluidOptions options, Initial initial);
   ~Fluid() override;
 
-  /// As the CFL number and the effects that are explicit allow.
+  /// The longest step that the CFL number and the effects that are explicit allow.
   double longest_step() const override;
   int most_steps() const override;
 
@@ -44,7 +45,7 @@ class Fluid : public Simulator {
   /// \throw InvalidInput if a velocity is beyond the finite numbers, as SurfaceTracker::advect
   void step(SurfaceTracker& surface, double dt) override;
 
-  /// Volume control hands on what each body of liquid should have.
+  /// Both let volume control hand on what each body of liquid should have.
   void before_remodel(SurfaceTracker& surface) override;
   void after_remodel(SurfaceTracker& surface) override;
 
@@ -52,13 +53,14 @@ class Fluid : public Simulator {
   /// beyond FluidOptions::topology_cells: a surgery should come first.
   bool wants_topology() const override;
 
-  /// At p now: in the liquid and some cells round it; elsewhere 0.
+  /// The velocity at p now, in the liquid and some cells round it; elsewhere 0.
   Point velocity(const Point& p) const;
   double time() const;
-  /// Of the liquid and its velocity as the last step's projection left them, half a step ago.
+  /// The liquid and its velocity as the last step's projection left them, half a step ago.
   LiquidMeasures measures() const;
-  const FluidStep& last() const;
-  /// In the order in which they act; what the scene does not name is not there.
+  const FluidStep& last() const;  ///< the last step
+  /// The costs by module, in the order in which they act; one that the scene does not name is not
+  /// there.
   std::vector<ModuleCost> costs() const;
 
  private:

@@ -1,14 +1,14 @@
-// What a scene may ask of the fluid solver. An effect that it does not name does not exist.
+// The options of the fluid solver. An effect that a scene does not name does not exist.
 #pragma once
 
 #include <optional>
 #include <vector>
 
-#include "sims/fluid/advect_velocity.h"
 #include "sims/fluid/effects/viscoelasticity.h"
 #include "sims/fluid/effects/volume_control.h"
-#include "sims/fluid/linear/linear_solver.h"
+#include "sims/fluid/linear/linear_system.h"
 #include "sims/fluid/solids/solid_options.h"
+#include "sims/fluid/velocity/advect_velocity.h"
 
 namespace suture::sims {
 
@@ -20,8 +20,8 @@ struct FluidOptions {
   /// Cells that the fastest liquid or solid may cross in a step; frames are cut into steps,
   /// equal ones but for what the speed asks for meanwhile.
   double cfl = 2;
-  /// Of a frame; what would take more is run with a larger CFL number, and with no more surface
-  /// tension than such steps hold stable (stable_share).
+  /// The most steps of a frame; what would take more is run with a larger CFL number, and with no
+  /// more surface tension than such steps hold stable (stable_part).
   int most_steps = 1000;
   /// Topology is handled at the end of frames [§7], and within one once the fastest liquid may have
   /// crossed so many cells since: between surgeries the surface is markers, which longer ways fold

@@ -14,6 +14,7 @@ void FluidFrame::add(const FluidStep& step) {
   worst.cfl = std::max(worst.cfl, before.cfl);
   worst.drops = std::max(worst.drops, before.drops);
   worst.residual = std::max(worst.residual, before.residual);
+  worst.unconverged += before.unconverged;
 }
 
 }  // namespace suture::sims

@@ -9,7 +9,7 @@ namespace suture::sims {
 struct FluidFrame {
   int steps = 0;
   /// dt and tension_share are the least, cfl, drops and residual the most, cells and liquid the
-  /// last step's.
+  /// last step's, unconverged the sum.
   FluidStep worst;
 
   /// Adds the frame's next step.

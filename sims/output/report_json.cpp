@@ -168,7 +168,8 @@ json to_json(const std::vector<ModuleCost>& costs) {
                        {"bytes", c.bytes},
                        {"calls", c.calls},
                        {"iterations", c.iterations},
-                       {"residual", c.residual}});
+                       {"residual", c.residual},
+                       {"unconverged", c.unconverged}});
   return modules;
 }
 

@@ -5,23 +5,32 @@
 #include <cmath>
 
 #include "kernel/errors.h"
-#include "sims/fluid/effects/viscosity.h"
 
 namespace suture::sims {
 namespace {
 
 void check(const ElasticOptions& o, double dt) {
-  const auto require = [](bool holds, const char* what, double x) {
-    if (!holds) throw InvalidInput(std::string("elasticity: ") + what + ", not " + number(x));
+  const auto refuse = [](const char* what, double x) {
+    throw InvalidInput(std::string("elasticity: ") + what + ", not " + number(x));
   };
-  require(o.modulus >= 0 && std::isfinite(o.modulus), "modulus must be finite and at least 0",
-          o.modulus);
-  require(o.density > 0 && std::isfinite(o.density), "density must be finite and above 0",
-          o.density);
-  require(o.yield_strain > 0, "yield_strain must be above 0", o.yield_strain);
-  require(o.flow_rate >= 0, "flow_rate must be at least 0", o.flow_rate);
-  require(o.relaxation_time > 0, "relaxation_time must be above 0", o.relaxation_time);
-  require(dt >= 0 && std::isfinite(dt), "a step must be finite and at least 0", dt);
+  if (!(o.modulus >= 0) || !std::isfinite(o.modulus))
+    refuse("modulus must be finite and at least 0", o.modulus);
+  if (!(o.density > 0) || !std::isfinite(o.density))
+    refuse("density must be finite and above 0", o.density);
+  if (!(o.yield_strain > 0)) refuse("yield_strain must be above 0", o.yield_strain);
+  if (!(o.flow_rate >= 0)) refuse("flow_rate must be at least 0", o.flow_rate);
+  if (!(o.relaxation_time > 0)) refuse("relaxation_time must be above 0", o.relaxation_time);
+  if (!(dt >= 0) || !std::isfinite(dt)) refuse("a step must be finite and at least 0", dt);
+}
+
+/// Checks a scene's options.
+void check(const ElasticOptions& o) {
+  const auto refuse = [](const char* what) { throw InvalidInput(std::string("fluid: ") + what); };
+  if (!(o.modulus >= 0) || !std::isfinite(o.modulus))
+    refuse("modulus must be finite and at least 0");
+  if (!(o.yield_strain > 0) || !(o.relaxation_time > 0))
+    refuse("yield_strain and relaxation_time must be above 0");
+  if (!(o.flow_rate >= 0)) refuse("flow_rate must be at least 0");
 }
 
 /// strain after = kept·(strain before) + time·(strain rate): a rate that is constant over the step,
@@ -36,18 +45,27 @@ struct Memory {
                  : dt) {}
 };
 
-/// Of a step in which liquid flows. Each solve takes the stress that flow leaves of what velocity
-/// strains: that before the step for the first one, and that of the one before for the others.
+/// The solves of a step in which liquid flows. Each takes the stress that flow leaves of what
+/// velocity strains: that before the step for the first one, and that of the one before for the
+/// others.
 constexpr int kFlowSolves = 2;
 
 /// A shear's stencil makes twice its component.
 double twice(int component) { return component < 3 ? 1 : 2; }
 
-/// What is left of a strain of this size after it has flowed.
-double flowed(double size, const ElasticOptions& o, double dt) {
-  if (!(size > o.yield_strain)) return 1;
-  return (o.yield_strain + (size - o.yield_strain) * std::exp(-o.flow_rate * dt)) / size;
-}
+/// How a strain flows in dt.
+struct Flow {
+  const ElasticOptions& options;
+  double dt;
+
+  bool any() const { return std::isfinite(options.yield_strain); }
+  /// The part that is left of a strain of this size.
+  double left(double size) const {
+    const double yield = options.yield_strain;
+    if (!(size > yield)) return 1;
+    return (yield + (size - yield) * std::exp(-options.flow_rate * dt)) / size;
+  }
+};
 
 /// The deviatoric strain's size at a cell's middle: of shears, the mean at its edges.
 double deviatoric_size(const TensorField& t, const Strain& where, Slot s) {
@@ -57,11 +75,11 @@ double deviatoric_size(const TensorField& t, const Strain& where, Slot s) {
     sum += std::pow(t.stretch[a][s] - mean, 2);
     double squares = 0;
     int count = 0;
-    for_each_edge(*where.grid, a, s, [&](Slot edge) {
-      if (where.known[1 + a][edge] == 0) return;
+    for (const Slot edge : edges_of_cell(*where.grid, a, s)) {
+      if (where.known[1 + a][edge] == 0) continue;
       squares += t.shear[a][edge] * t.shear[a][edge];
       ++count;
-    });
+    }
     if (count != 0) sum += 2 * squares / count;
   }
   return std::sqrt(sum);
@@ -74,9 +92,11 @@ std::vector<double> deviatoric_sizes(const TensorField& t, const Strain& where) 
   return sizes;
 }
 
-/// Factors of all components from those of cells: a shear's is the mean, or the least, of those of
-/// the cells round it.
-TensorField spread(const std::vector<double>& of_cells, const Strain& where, bool least) {
+/// How a shear's factor follows from those of the cells round it.
+enum class OfCells { mean, least };
+
+/// Factors of all components from those of cells.
+TensorField spread(const std::vector<double>& of_cells, const Strain& where, OfCells taken) {
   TensorField factors;
   factors.fill(of_cells.size(), 1);
   for (Slot s = 0; s < of_cells.size(); ++s)
@@ -85,28 +105,27 @@ TensorField spread(const std::vector<double>& of_cells, const Strain& where, boo
       if (where.known[1 + a][s] == 0) continue;
       double sum = 0, smallest = 1;
       int count = 0;
-      for_each_cell_round(*where.grid, a, s, [&](Slot cell) {
-        if (where.known[0][cell] == 0) return;
+      for (const Slot cell : cells_round_edge(*where.grid, a, s)) {
+        if (where.known[0][cell] == 0) continue;
         sum += of_cells[cell];
         smallest = std::min(smallest, of_cells[cell]);
         ++count;
-      });
-      if (count != 0) factors.shear[a][s] = least ? smallest : sum / count;
+      }
+      if (count != 0) factors.shear[a][s] = taken == OfCells::least ? smallest : sum / count;
     }
   return factors;
 }
 
-/// What flow leaves of each component in dt. Without arrays where nothing flows.
-TensorField flow_factors(const TensorField& t, const Strain& where, const ElasticOptions& o,
-                         double dt) {
-  if (!std::isfinite(o.yield_strain)) return {};
+/// The part that flow leaves of each component. There are no arrays where nothing flows.
+TensorField flow_factors(const TensorField& t, const Strain& where, const Flow& flow) {
+  if (!flow.any()) return {};
   std::vector<double> left = deviatoric_sizes(t, where);
   bool any = false;
   for (double& x : left) {
-    x = flowed(x, o, dt);
+    x = flow.left(x);
     any = any || x != 1;
   }
-  return any ? spread(left, where, false) : TensorField();
+  return any ? spread(left, where, OfCells::mean) : TensorField();
 }
 
 /// Multiplies the deviatoric part by the factors.
@@ -122,17 +141,17 @@ void scale(TensorField& t, const TensorField& factors) {
 
 /// Means leave the shears of strains that change from cell to cell too large for some of these;
 /// what is still too much there goes by the least factor. By that alone, all would flow too easily.
-void flow(Strain& strain, const ElasticOptions& o, double dt) {
-  const TensorField factors = flow_factors(strain.elastic, strain, o, dt);
+void yield(Strain& strain, const Flow& flow) {
+  const TensorField factors = flow_factors(strain.elastic, strain, flow);
   if (!factors.any()) return;
   const std::vector<double> before = deviatoric_sizes(strain.elastic, strain);
   scale(strain.elastic, factors);
   std::vector<double> rest = deviatoric_sizes(strain.elastic, strain);
   for (Slot s = 0; s < rest.size(); ++s) {
-    const double wanted = before[s] * flowed(before[s], o, dt);
+    const double wanted = before[s] * flow.left(before[s]);
     rest[s] = rest[s] > wanted ? wanted / rest[s] : 1;
   }
-  scale(strain.elastic, spread(rest, strain, true));
+  scale(strain.elastic, spread(rest, strain, OfCells::least));
 }
 
 /// How a step weighs the strain rate at its end, and takes off that at its begin, whereby its
@@ -148,48 +167,57 @@ struct Weights {
   }
 };
 
-/// One step of the stress.
-class Push {
- public:
-  Push(const MacVelocity& before, const Strain& strain, const Liquid& liquid,
-       const StrainRate& rate, const ElasticOptions& o, double dt)
-      : liquid_(liquid), rate_(rate) {
-    const double h = rate.grid().h();
-    const Memory memory(o, dt);
-    const double squared = o.modulus / o.density / h * (dt / h) * memory.time;
-    const Weights weights(std::sqrt(squared), memory.kept);
-    stiffness_ = std::min(squared * weights.end, kStiffest);
-    per_rate_ = memory.time * weights.end / h;
-    offset_.fill(rate.grid().size(), 0);
+/// The numbers of a step of the stress.
+struct ElasticStep {
+  Memory memory;
+  double squared;  ///< cells that a wave of shear crosses in the step, squared
+  Weights weights;
+  double stiffness, per_rate;
+
+  ElasticStep(const ElasticOptions& o, double h, double dt)
+      : memory(o, dt),
+        squared(o.modulus / o.density / h * (dt / h) * memory.time),
+        weights(std::sqrt(squared), memory.kept),
+        stiffness(std::min(squared * weights.end, kStiffest)),
+        per_rate(memory.time * weights.end / h) {}
+
+  /// The strain so far and the step's first rate, as a strain rate times h.
+  TensorField offset(const StrainRate& rate, const MacVelocity& before,
+                     const Strain& strain) const {
+    TensorField t;
+    t.fill(rate.grid().size(), 0);
     rate.for_each([&](const RateStencil& r, int c, Slot s) {
       const double begin = rate.value(r, before) / twice(c);
-      offset_.part(c)[s] =
-          memory.kept / per_rate_ * strain.elastic.part(c)[s] - weights.begin / weights.end * begin;
+      t.part(c)[s] =
+          memory.kept / per_rate * strain.elastic.part(c)[s] - weights.begin / weights.end * begin;
     });
+    return t;
   }
+};
+
+/// One step of the stress, whatever flows in it.
+struct Push {
+  const ElasticStep& elastic;
+  const StrainRate& rate;
+  const Liquid& liquid;
+  TensorField offset;
 
   DiffusionReport act(MacVelocity& velocity, const TensorField& factors,
                       const SolverOptions& solver) const {
-    const StressStep step{stiffness_, &offset_, factors.any() ? &factors : nullptr, &liquid_};
-    DiffusionReport report = step_stress(velocity, rate_, step, solver);
-    report.memory += offset_.memory() + factors.memory();
+    const StressStep step{elastic.stiffness, &offset, factors.any() ? &factors : nullptr, &liquid};
+    DiffusionReport report = step_stress(velocity, rate, step, solver);
+    report.memory += offset.memory() + factors.memory();
     return report;
   }
 
   /// The strain whose stress acts in the step that ends with this velocity, if nothing flows.
   TensorField strain(const MacVelocity& velocity) const {
-    TensorField t = offset_;
-    rate_.for_each([&](const RateStencil& r, int c, Slot s) {
-      t.part(c)[s] = per_rate_ * (t.part(c)[s] + rate_.value(r, velocity) / twice(c));
+    TensorField t = offset;
+    rate.for_each([&](const RateStencil& r, int c, Slot s) {
+      t.part(c)[s] = elastic.per_rate * (t.part(c)[s] + rate.value(r, velocity) / twice(c));
     });
     return t;
   }
-
- private:
-  const Liquid& liquid_;
-  const StrainRate& rate_;
-  double stiffness_, per_rate_;
-  TensorField offset_;
 };
 
 void mark_known(Strain& strain, const StrainRate& rate) {
@@ -197,54 +225,92 @@ void mark_known(Strain& strain, const StrainRate& rate) {
   rate.for_each([&](const RateStencil&, int c, Slot s) { strain.known[c < 3 ? 0 : c - 2][s] = 1; });
 }
 
+/// Takes up the report of a solve that replaces the one before.
+void replace(DiffusionReport& report, const DiffusionReport& again) {
+  report.iterations += again.iterations;
+  report.residual = again.residual;
+  report.status = std::max(report.status, again.status);
+  report.memory = std::max(report.memory, again.memory);
+}
+
+class Viscoelasticity final : public Effect {
+ public:
+  Viscoelasticity(const ElasticOptions& options, const SolverOptions& solver,
+                  const ModuleAccount& account)
+      : options_(options), solver_(solver), account_(account) {}
+
+  void carry(const MacVelocity& old, const Liquid& liquid, double dt) override {
+    if (!strain_.any()) return;
+    account_.timed([&] { strain_ = carried(strain_, old, liquid, dt); });
+  }
+  void stress(const StepState& step) override {
+    account_.timed([&] {
+      if (strain_.grid == nullptr) strain_ = unstrained(step.domain.liquid.grid, options_);
+      const DiffusionReport done =
+          push(step.velocity, strain_, step.domain, options_, {step.dt, solver_});
+      account_.solved(done);
+      account_.holds(strain_.memory() + done.memory);
+    });
+  }
+  void flowed(const StepState& step) override {
+    if (!strain_.any()) return;
+    account_.timed(
+        [&] { account_.checked(stretch(strain_, step.velocity, step.domain, options_, step.dt)); });
+  }
+
+ private:
+  ElasticOptions options_;
+  SolverOptions solver_;
+  ModuleAccount account_;
+  Strain strain_;  ///< empty before the first step
+};
+
 }  // namespace
 
 double largest_step(const ElasticOptions& options, double h) {
   return h * std::sqrt(options.density / options.modulus);
 }
 
-Strain unstrained(const SparseGrid& grid, const ElasticOptions& options) {
+Strain unstrained(const SharedGrid& grid, const ElasticOptions& options) {
   check(options, 0);
   return options.modulus > 0 ? Strain(grid) : Strain();
 }
 
-DiffusionReport push(MacVelocity& velocity, const Strain& strain, const Liquid& liquid,
-                     const SolidFaces& solids, const ElasticOptions& options, double dt,
-                     const SolverOptions& solver) {
-  check(options, dt);
-  if (!strain.any() || dt == 0) return {};
-  const Shares shares = liquid_shares(liquid);
-  const StrainRate rate(shares, solids, options.no_slip);
-  const Push push(velocity, strain, liquid, rate, options, dt);
+DiffusionReport push(MacVelocity& velocity, const Strain& strain, const FlowDomain& domain,
+                     const ElasticOptions& options, const ImplicitStep& step) {
+  check(options, step.dt);
+  if (!strain.any() || step.dt == 0) return {};
+  const Liquid& liquid = domain.liquid;
+  const VolumeFractions fractions = volume_fractions(liquid);
+  const StrainRate rate(fractions, domain.solids, options.slip());
   const MacVelocity before = velocity;
-  Strain where(*strain.grid);
+  const ElasticStep elastic(options, rate.grid().h(), step.dt);
+  const Push push{elastic, rate, liquid, elastic.offset(rate, before, strain)};
+  Strain where(strain.grid);
   mark_known(where, rate);
   DiffusionReport report;
   bool flowed_before = true;
   for (int n = 0; n < kFlowSolves; ++n) {
-    const TensorField factors = flow_factors(push.strain(velocity), where, options, dt);
+    const TensorField factors = flow_factors(push.strain(velocity), where, {options, step.dt});
     if (!factors.any() && !flowed_before) break;
     flowed_before = factors.any();
     velocity = before;
-    const DiffusionReport again = push.act(velocity, factors, solver);
-    report.iterations += again.iterations;
-    report.residual = again.residual;
-    report.memory = std::max(report.memory, again.memory);
+    replace(report, push.act(velocity, factors, step.solver));
   }
   for (int a = 0; a < 3; ++a)  // what relaxes all stress within a step is no velocity to go on with
     for (Slot s = 0; s < liquid.grid->size(); ++s)
       if (!rate.held(a, s) && !touches(liquid, a, s)) velocity.u[a][s] = before.u[a][s];
-  report.memory += shares.memory() + where.memory() +
+  report.memory += fractions.memory() + where.memory() +
                    3 * before.u[0].size() * (sizeof(double) + sizeof(std::uint8_t));
   return report;
 }
 
-void stretch(Strain& strain, const MacVelocity& velocity, const Liquid& liquid,
-             const SolidFaces& solids, const ElasticOptions& options, double dt) {
+SolveReport stretch(Strain& strain, const MacVelocity& velocity, const FlowDomain& domain,
+                    const ElasticOptions& options, double dt) {
   check(options, dt);
-  if (!strain.any() || dt == 0) return;
-  const Shares shares = liquid_shares(liquid);
-  const StrainRate rate(shares, solids, options.no_slip);
+  if (!strain.any() || dt == 0) return {};
+  const VolumeFractions fractions = volume_fractions(domain.liquid);
+  const StrainRate rate(fractions, domain.solids, options.slip());
   const double h = rate.grid().h();
   const Memory memory(options, dt);
   TensorField so_far;  // as a strain rate times h
@@ -253,26 +319,34 @@ void stretch(Strain& strain, const MacVelocity& velocity, const Liquid& liquid,
     so_far.part(c)[s] = h * memory.kept / memory.time * strain.elastic.part(c)[s];
   });
   MacVelocity filled = velocity;
-  relax_massless(filled, rate, {1, &so_far, nullptr, &liquid});
+  const SolveReport report = relax_massless(filled, rate, {1, &so_far, nullptr, &domain.liquid});
   strain.elastic.fill(rate.grid().size(), 0);
   rate.for_each([&](const RateStencil& r, int c, Slot s) {
     strain.elastic.part(c)[s] =
         memory.time / h * (so_far.part(c)[s] + rate.value(r, filled) / twice(c));
   });
   mark_known(strain, rate);
-  flow(strain, options, dt);
+  yield(strain, {options, dt});
+  return report;
 }
 
-double elastic_energy(const Strain& strain, const Liquid& liquid, const SolidFaces& solids,
+double elastic_energy(const Strain& strain, const FlowDomain& domain,
                       const ElasticOptions& options) {
   if (!strain.any()) return 0;
-  const Shares shares = liquid_shares(liquid);
-  const StrainRate rate(shares, solids, options.no_slip);
+  const VolumeFractions fractions = volume_fractions(domain.liquid);
+  const StrainRate rate(fractions, domain.solids, options.slip());
   double sum = 0;
   rate.for_each([&](const RateStencil& r, int c, Slot s) {
     sum += r.weight * twice(c) * std::pow(strain.elastic.part(c)[s], 2);
   });
   return options.modulus * sum * std::pow(rate.grid().h(), 3);
+}
+
+std::unique_ptr<Effect> make_viscoelasticity(const ElasticOptions& options,
+                                             const SolverOptions& solver,
+                                             const ModuleAccount& account) {
+  check(options);
+  return std::make_unique<Viscoelasticity>(options, solver, account);
 }
 
 }  // namespace suture::sims

@@ -2,9 +2,10 @@
 #pragma once
 
 #include <limits>
+#include <memory>
 
-#include "sims/fluid/effects/strain.h"
-#include "sims/fluid/effects/viscous_system.h"
+#include "sims/fluid/effects/stress/strain.h"
+#include "sims/fluid/effects/viscosity.h"
 
 namespace suture::sims {
 
@@ -15,10 +16,12 @@ struct ElasticOptions {
   /// flows, and the rate, per time, at which what is beyond decays. Infinite: at once.
   double yield_strain = std::numeric_limits<double>::infinity();
   double flow_rate = std::numeric_limits<double>::infinity();
-  /// In which strain decays to 1/e. Where it is short against a step the liquid is viscous, with
-  /// viscosity modulus·relaxation_time.
+  /// The time in which strain decays to 1/e. Where it is short against a step the liquid is
+  /// viscous, with viscosity modulus·relaxation_time.
   double relaxation_time = std::numeric_limits<double>::infinity();
-  bool no_slip = true;
+  bool no_slip = true;  ///< at solids
+
+  WallSlip slip() const { return no_slip ? WallSlip::none : WallSlip::free; }
 };
 
 /// Steps beyond the time in which a wave of shear crosses a cell do not resolve it, and damp what
@@ -27,24 +30,30 @@ double largest_step(const ElasticOptions& options, double h);
 
 /// A liquid's strain before it has any; empty, without arrays, where modulus is 0.
 /// \throw InvalidInput for numbers out of range
-Strain unstrained(const SparseGrid& grid, const ElasticOptions& options);
+Strain unstrained(const SharedGrid& grid, const ElasticOptions& options);
 
 /// Adds what elastic stress does to the velocity in dt [Goktekin et al. 2004], before the
 /// projection. Implicit: the stress is that of the strain at the step's end, which is a viscosity
 /// modulus·dt and the stress of the strain so far; within largest_step, that of the strain half a
 /// step on, as good as without damping. Faces that touch no liquid cell are left: no projection
-/// gives them a velocity, so that they follow without mass. \pre, \throw, accuracy as diffuse
-DiffusionReport push(MacVelocity& velocity, const Strain& strain, const Liquid& liquid,
-                     const SolidFaces& solids, const ElasticOptions& options, double dt,
-                     const SolverOptions& solver = {});
+/// gives them a velocity, so that they follow without mass. The report's status is the worse of its
+/// two solves'. \pre, \throw, accuracy as diffuse
+DiffusionReport push(MacVelocity& velocity, const Strain& strain, const FlowDomain& domain,
+                     const ElasticOptions& options, const ImplicitStep& step);
 
 /// Adds what the velocity after the projection strains in dt; then what yields flows, and what
-/// relaxes is forgotten. \pre velocity is known on all faces that have liquid
-void stretch(Strain& strain, const MacVelocity& velocity, const Liquid& liquid,
-             const SolidFaces& solids, const ElasticOptions& options, double dt);
+/// relaxes is forgotten. Reports the solve for the faces without mass.
+/// \pre velocity is known on all faces that have liquid
+SolveReport stretch(Strain& strain, const MacVelocity& velocity, const FlowDomain& domain,
+                    const ElasticOptions& options, double dt);
 
-/// Of the strain: modulus times its square, over the liquid.
-double elastic_energy(const Strain& strain, const Liquid& liquid, const SolidFaces& solids,
+/// The energy of the strain: modulus times its square, over the liquid.
+double elastic_energy(const Strain& strain, const FlowDomain& domain,
                       const ElasticOptions& options);
+
+/// \throw InvalidInput for numbers out of range
+std::unique_ptr<Effect> make_viscoelasticity(const ElasticOptions& options,
+                                             const SolverOptions& solver,
+                                             const ModuleAccount& account);
 
 }  // namespace suture::sims

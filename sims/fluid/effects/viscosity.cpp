@@ -7,27 +7,62 @@
 #include "kernel/errors.h"
 
 namespace suture::sims {
+namespace {
 
-DiffusionReport diffuse(MacVelocity& velocity, const Liquid& liquid, const SolidFaces& solids,
-                        const ViscosityOptions& viscosity, double dt,
-                        const SolverOptions& options) {
-  const auto check = [](bool right, const char* what, double x) {
-    if (!right) throw InvalidInput(std::string(what) + number(x));
+void check(const ViscosityOptions& o, double dt) {
+  const auto refuse = [](const char* what, double x) {
+    throw InvalidInput(std::string(what) + ", not " + number(x));
   };
-  check(viscosity.viscosity >= 0 && std::isfinite(viscosity.viscosity),
-        "viscosity must be finite and at least 0, not ", viscosity.viscosity);
-  check(viscosity.density > 0 && std::isfinite(viscosity.density),
-        "density must be finite and above 0, not ", viscosity.density);
-  check(dt >= 0 && std::isfinite(dt), "a step must be finite and at least 0, not ", dt);
+  if (!(o.viscosity >= 0) || !std::isfinite(o.viscosity))
+    refuse("viscosity must be finite and at least 0", o.viscosity);
+  if (!(o.density > 0) || !std::isfinite(o.density))
+    refuse("density must be finite and above 0", o.density);
+  if (!(dt >= 0) || !std::isfinite(dt)) refuse("a step must be finite and at least 0", dt);
+}
+
+class Viscosity final : public Effect {
+ public:
+  Viscosity(const ViscosityOptions& options, const SolverOptions& solver,
+            const ModuleAccount& account)
+      : options_(options), solver_(solver), account_(account) {}
+
+  void stress(const StepState& step) override {
+    account_.timed([&] {
+      const DiffusionReport done =
+          diffuse(step.velocity, step.domain, options_, {step.dt, solver_});
+      account_.solved(done);
+      account_.holds(done.memory);
+    });
+  }
+
+ private:
+  ViscosityOptions options_;
+  SolverOptions solver_;
+  ModuleAccount account_;
+};
+
+}  // namespace
+
+DiffusionReport diffuse(MacVelocity& velocity, const FlowDomain& domain,
+                        const ViscosityOptions& viscosity, const ImplicitStep& step) {
+  const double dt = step.dt;
+  check(viscosity, dt);
   if (viscosity.viscosity == 0 || dt == 0) return {};
-  const double h = liquid.grid->h();
-  StressStep step;  // in an order that neither overflows nor loses what is tiny, at any unit
-  step.stiffness = std::min(viscosity.viscosity / viscosity.density / h * (dt / h), kStiffest);
-  const Shares shares = liquid_shares(liquid);
-  const StrainRate rate(shares, solids, viscosity.no_slip);
-  DiffusionReport report = step_stress(velocity, rate, step, options);
-  report.memory += shares.memory();
+  const double h = domain.liquid.grid->h();
+  StressStep stress;  // in an order that neither overflows nor loses what is tiny, at any unit
+  stress.stiffness = std::min(viscosity.viscosity / viscosity.density / h * (dt / h), kStiffest);
+  const VolumeFractions fractions = volume_fractions(domain.liquid);
+  const StrainRate rate(fractions, domain.solids, viscosity.slip());
+  DiffusionReport report = step_stress(velocity, rate, stress, step.solver);
+  report.memory += fractions.memory();
   return report;
+}
+
+std::unique_ptr<Effect> make_viscosity(const ViscosityOptions& options, const SolverOptions& solver,
+                                       const ModuleAccount& account) {
+  if (!(options.viscosity >= 0) || !std::isfinite(options.viscosity))
+    throw InvalidInput("fluid: viscosity must be finite and at least 0");
+  return std::make_unique<Viscosity>(options, solver, account);
 }
 
 }  // namespace suture::sims

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <utility>
 
 #include "kernel/errors.h"
 #include "sims/fluid/liquid/component_tracking.h"
@@ -10,18 +12,23 @@
 namespace suture::sims {
 namespace {
 
-void require(bool right, const char* option, double value, const char* range) {
-  if (!right)
-    throw InvalidInput(std::string("volume control: ") + option + " is " + number(value) +
-                       "; it must be " + range);
+/// An option's name and value.
+struct Named {
+  const char* name;
+  double value;
+};
+
+[[noreturn]] void refuse(const Named& option, const char* range) {
+  throw InvalidInput(std::string("volume control: ") + option.name + " is " + number(option.value) +
+                     "; it must be " + range);
 }
 
-/// Of the integral part beside the other one.
+/// The gain of the integral part beside the other one.
 double gain(const VolumeControlOptions& options) {
   return 1 / (4 * options.damping * options.damping);
 }
 
-/// What the bodies of a group had and should have, together.
+/// The sums of what the bodies of a group had and should have.
 struct Group {
   bool known = false;
   double target = 0, integral = 0;  ///< integral: weighted by target
@@ -30,7 +37,7 @@ struct Group {
 };
 
 /// Groups without a body on one side become one with that of the largest body now.
-std::vector<std::uint32_t> with_both_sides(const BodyGroups& groups,
+std::vector<std::uint32_t> with_both_sides(const ComponentGroups& groups,
                                            const std::vector<VolumeControl::Body>& now) {
   std::vector<std::uint8_t> before(groups.count, 0), after(groups.count, 0);
   for (const std::uint32_t g : groups.before) before[g] = 1;
@@ -46,7 +53,7 @@ std::vector<std::uint32_t> with_both_sides(const BodyGroups& groups,
 }
 
 /// Gives the bodies now the targets of those before. \pre there is a body now
-void hand_on(const std::vector<VolumeControl::Body>& before, const BodyGroups& groups,
+void hand_on(const std::vector<VolumeControl::Body>& before, const ComponentGroups& groups,
              std::vector<VolumeControl::Body>& now) {
   const std::vector<std::uint32_t> joined = with_both_sides(groups, now);
   std::vector<Group> all(groups.count);
@@ -76,16 +83,56 @@ void hand_on(const std::vector<VolumeControl::Body>& before, const BodyGroups& g
     if (all[g].known && all[g].largest != kNone) now[all[g].largest].target = left[g];
 }
 
+class VolumeControlEffect final : public Effect {
+ public:
+  VolumeControlEffect(const VolumeControlOptions& options, const ModuleAccount& account)
+      : options_(options), account_(account) {}
+
+  void project(const StepState& step, ProjectionTerms& terms) override {
+    std::vector<double> wanted;
+    account_.timed([&] {
+      if (!control_) control_.emplace(step.surface, options_);
+      wanted = control_->divergence(NearestTriangle(step.surface), step.domain.liquid, step.dt);
+    });
+    account_.holds(control_->memory() + wanted.size() * sizeof(double));
+    terms.add_divergence(std::move(wanted));
+  }
+
+  void before_move(SurfaceTracker& surface) override {
+    if (control_ && !surface.keeps_triangles()) before_remodel(surface.surface());
+  }
+  void after_move(SurfaceTracker& surface, const SurfacePath& path) override {
+    if (!control_) return;
+    account_.timed([&] {
+      if (surface.keeps_triangles())
+        control_->moved(surface.surface());
+      else
+        control_->after_remodel(surface.surface(), path);
+    });
+  }
+  void before_remodel(const Triangles& surface) override {
+    if (control_) account_.timed([&] { control_->before_remodel(surface); });
+  }
+  void after_remodel(const Triangles& surface) override {
+    if (control_) account_.timed([&] { control_->after_remodel(surface); });
+  }
+
+ private:
+  VolumeControlOptions options_;
+  ModuleAccount account_;
+  std::optional<VolumeControl> control_;  ///< from the first step on
+};
+
 }  // namespace
 
-void check(const VolumeControlOptions& options) {
-  require(options.relaxation > 2 && std::isfinite(options.relaxation), "relaxation",
-          options.relaxation, "above 2 steps");
-  require(options.damping > 0, "damping", options.damping, "above 0");
-  require(options.most_shift > 0 && options.most_shift <= 1, "most_shift", options.most_shift,
-          "above 0 and at most 1 cell");
-  require(options.most_integral >= 0 && options.most_integral <= 1, "most_integral",
-          options.most_integral, "0 to 1");
+void check(const VolumeControlOptions& o) {
+  if (!(o.relaxation > 2) || !std::isfinite(o.relaxation))
+    refuse({"relaxation", o.relaxation}, "above 2 steps");
+  if (!(o.damping > 0)) refuse({"damping", o.damping}, "above 0");
+  if (!(o.most_shift > 0 && o.most_shift <= 1))
+    refuse({"most_shift", o.most_shift}, "above 0 and at most 1 cell");
+  if (!(o.most_integral >= 0 && o.most_integral <= 1))
+    refuse({"most_integral", o.most_integral}, "0 to 1");
 }
 
 VolumeControl::VolumeControl(const Triangles& surface, const VolumeControlOptions& options)
@@ -114,14 +161,13 @@ void VolumeControl::before_remodel(const Triangles& surface) {
   remodelling_ = true;
 }
 
-void VolumeControl::after_remodel(const Triangles& surface,
-                                  const std::function<Point(const Point&)>& move) {
+void VolumeControl::after_remodel(const Triangles& surface, const SurfacePath& move) {
   if (!remodelling_)
     throw InvalidInput("volume control: after_remodel needs a before_remodel first");
   if (move)
     for (Point& p : before_.positions) p = move(p);
   LiquidBodies parts = liquid_bodies(surface);
-  const BodyGroups groups = body_groups(before_, parts_, surface, parts);
+  const ComponentGroups groups = track_components({before_, parts_}, {surface, parts});
   const BodyMeasures now = measure(surface, parts);
   std::vector<Body> bodies(parts.count);
   for (std::size_t b = 0; b < parts.count; ++b)
@@ -149,7 +195,7 @@ double VolumeControl::rate(Body& body, double h, double dt) const {
 
 std::vector<double> VolumeControl::divergence(const NearestTriangle& nearest, const Liquid& liquid,
                                               double dt) {
-  require(dt > 0 && std::isfinite(dt), "the time step", dt, "finite and above 0");
+  if (!(dt > 0) || !std::isfinite(dt)) refuse({"the time step", dt}, "finite and above 0");
   std::vector<double> rates;
   for (Body& body : bodies_) rates.push_back(rate(body, liquid.grid->h(), dt));
   const std::vector<std::uint32_t> of_cell = bodies_of_cells(parts_, nearest, liquid);
@@ -163,6 +209,12 @@ std::size_t VolumeControl::memory() const {
   return sizeof *this + parts_.of_triangle.capacity() * sizeof(std::uint32_t) +
          bodies_.capacity() * sizeof(Body) + before_.positions.capacity() * sizeof(Point) +
          before_.triangles.capacity() * sizeof(Triangle);
+}
+
+std::unique_ptr<Effect> make_volume_control(const VolumeControlOptions& options,
+                                            const ModuleAccount& account) {
+  check(options);
+  return std::make_unique<VolumeControlEffect>(options, account);
 }
 
 }  // namespace suture::sims

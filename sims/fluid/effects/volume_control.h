@@ -1,20 +1,21 @@
 // Volume control: each body of liquid is given the divergence that brings back what it has lost.
 #pragma once
 
-#include <functional>
+#include <memory>
 #include <vector>
 
+#include "sims/fluid/effects/effect.h"
 #include "sims/fluid/liquid/liquid_bodies.h"
 
 namespace suture::sims {
 
-/// How fast lost volume comes back [Kim et al. 2007]. Who loses a share of the volume in every step
+/// How fast lost volume comes back [Kim et al. 2007]. Who loses a part of the volume in every step
 /// is short of `relaxation` times that, less what the integral part balances.
 struct VolumeControlOptions {
   /// Steps in which an error falls to 1/e; above 2, or the flow, which answers a step late, swings.
   double relaxation = 10;
-  /// Of the loop with its integral part, whose gain is 1/(4·damping²) of the other's over a
-  /// relaxation: at 2 an error swings back by a thirteenth of itself, above that by less.
+  /// The damping of the loop with its integral part, whose gain is 1/(4·damping²) of the other's
+  /// over a relaxation: at 2 an error swings back by a thirteenth of itself, above that by less.
   double damping = 2;
   /// Cells: the most that control moves a body's surface in a step, well below what the flow may.
   double most_shift = 0.1;
@@ -40,14 +41,13 @@ class VolumeControl {
   void moved(const Triangles& surface);
 
   void before_remodel(const Triangles& surface);
-  /// Each group of bodies that hold the same liquid before and after (body_groups) keeps the sum of
-  /// its targets, to rounding, shared out by the volumes that they have now. What became of nothing
-  /// hands its target to the largest body's group, where it is felt least, and what comes from
-  /// nothing has its own from there: the sum over all stays, while there is a body. `move`: where a
-  /// point of the surface before is now, if all has moved since.
-  /// \throw InvalidInput if no remodel has begun
-  void after_remodel(const Triangles& surface,
-                     const std::function<Point(const Point&)>& move = nullptr);
+  /// Each group of bodies that hold the same liquid before and after (track_components) keeps the
+  /// sum of its targets, to rounding, shared out by the volumes that they have now. What became of
+  /// nothing hands its target to the largest body's group, where it is felt least, and what comes
+  /// from nothing has its own from there: the sum over all stays, while there is a body. `move`:
+  /// where a point of the surface before is now, if all has moved since. \throw InvalidInput if no
+  /// remodel has begun
+  void after_remodel(const Triangles& surface, const SurfacePath& move = nullptr);
 
   /// The divergence wanted in each cell for a step dt, for ProjectionInput::divergence; none in
   /// bodies smaller than a cell. Adds to the integral parts: once a step, after moved.
@@ -70,5 +70,9 @@ class VolumeControl {
   Triangles before_;  ///< while a remodel goes on
   bool remodelling_ = false;
 };
+
+/// \throw InvalidInput if an option is out of its range
+std::unique_ptr<Effect> make_volume_control(const VolumeControlOptions& options,
+                                            const ModuleAccount& account);
 
 }  // namespace suture::sims

@@ -18,7 +18,7 @@ double volume_below(const std::array<double, 3>& m, double a) {
   const auto second = [&](double x) { return x * (x - m[0]) / (2 * m[1] * m[2]) + first; };
   if (a < m[1]) return second(a);
   if (a >= m12 && m12 <= m[2]) return (2 * a - m12) / (2 * m[2]);
-  // Where the least share is small the next formula cancels, and its range is as short.
+  // Where the least component is small the next formula cancels, and its range is as short.
   const double low = m[1] > 0 ? second(m[1]) : 0;
   const double high = m12 <= m[2] ? m12 / (2 * m[2]) : 0.5;
   if (!(six > 0)) return low;

@@ -5,7 +5,7 @@
 
 namespace suture::sims {
 
-/// Of the unit cube about the origin, the part where normal·x < s.
+/// The part of the unit cube about the origin where normal·x < s.
 struct CutCube {
   double volume = 0;  ///< 0 to 1
   double offset = 0;  ///< of its centre of mass along the normal; 0 where the volume is 0

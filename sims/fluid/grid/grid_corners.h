@@ -9,14 +9,15 @@
 
 namespace suture::sims {
 
-/// Of a quantity that each cell has at one place, `within` cells up each axis from its low corner.
+/// The corners for a quantity that each cell has at one place, `within` cells up each axis from its
+/// low corner.
 struct GridCorners {
   std::array<Slot, 8> slots;      ///< bit 2, 1, 0 of the index: high along x, y, z
   std::array<double, 3> between;  ///< the point's place between them
 
   GridCorners(const SparseGrid& grid, const std::array<double, 3>& within, const Point& p);
 
-  /// Of slots[n] in a trilinear mean.
+  /// The weight of slots[n] in a trilinear mean.
   double weight(int n) const {
     double w = 1;
     for (int a = 0; a < 3; ++a) w *= (n >> (2 - a) & 1) != 0 ? between[a] : 1 - between[a];

@@ -15,6 +15,44 @@ GridCorners corners(const SparseGrid& grid, int axis, const Point& p) {
   return {grid, within, p};
 }
 
+/// Calls visit(neighbour) with the slots beside s that exist.
+template <class Visit>
+void for_each_neighbour(const SparseGrid& grid, Slot s, Visit visit) {
+  for (int a = 0; a < 3; ++a)
+    for (const int side : {-1, 1})
+      if (const Slot n = grid.neighbour(s, a, side); n != kNoSlot) visit(n);
+}
+
+/// One component's faces.
+void extrapolate(const SparseGrid& grid, std::vector<double>& u, std::vector<std::uint8_t>& known,
+                 int layers) {
+  std::vector<Slot> front;
+  const auto add_unknown_neighbours = [&](Slot s, std::vector<Slot>& to) {
+    for_each_neighbour(grid, s, [&](Slot n) {
+      if (known[n] == 0) to.push_back(n);
+    });
+  };
+  for (Slot s = 0; s < grid.size(); ++s)
+    if (known[s] != 0) add_unknown_neighbours(s, front);
+  for (int layer = 0; layer < layers && !front.empty(); ++layer) {
+    sort_unique(front);
+    for (const Slot s : front) {
+      double sum = 0;
+      int count = 0;
+      for_each_neighbour(grid, s, [&](Slot n) {
+        if (known[n] == 0) return;
+        sum += u[n];
+        ++count;
+      });
+      u[s] = sum / count;
+    }
+    for (const Slot s : front) known[s] = 1;
+    std::vector<Slot> next;
+    for (const Slot s : front) add_unknown_neighbours(s, next);
+    front = std::move(next);
+  }
+}
+
 }  // namespace
 
 double MacVelocity::component(int axis, const Point& p, double fallback) const {
@@ -30,38 +68,8 @@ MacVelocity::Bounds MacVelocity::bounds(int axis, const Point& p) const {
 }
 
 void extrapolate(MacVelocity& velocity, int layers) {
-  const SparseGrid& grid = *velocity.grid;
-  for (int axis = 0; axis < 3; ++axis) {
-    std::vector<double>& u = velocity.u[axis];
-    std::vector<std::uint8_t>& known = velocity.known[axis];
-    std::vector<Slot> front;
-    const auto add_unknown_neighbours = [&](Slot s, std::vector<Slot>& to) {
-      for (int a = 0; a < 3; ++a)
-        for (const int side : {-1, 1})
-          if (const Slot n = grid.neighbour(s, a, side); n != kNoSlot && known[n] == 0)
-            to.push_back(n);
-    };
-    for (Slot s = 0; s < grid.size(); ++s)
-      if (known[s] != 0) add_unknown_neighbours(s, front);
-    for (int layer = 0; layer < layers && !front.empty(); ++layer) {
-      sort_unique(front);
-      for (const Slot s : front) {
-        double sum = 0;
-        int count = 0;
-        for (int a = 0; a < 3; ++a)
-          for (const int side : {-1, 1})
-            if (const Slot n = grid.neighbour(s, a, side); n != kNoSlot && known[n] != 0) {
-              sum += u[n];
-              ++count;
-            }
-        u[s] = sum / count;
-      }
-      for (const Slot s : front) known[s] = 1;
-      std::vector<Slot> next;
-      for (const Slot s : front) add_unknown_neighbours(s, next);
-      front = std::move(next);
-    }
-  }
+  for (int axis = 0; axis < 3; ++axis)
+    extrapolate(*velocity.grid, velocity.u[axis], velocity.known[axis], layers);
 }
 
 double largest_component(const MacVelocity& velocity) {

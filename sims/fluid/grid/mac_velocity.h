@@ -3,24 +3,26 @@
 
 #include <array>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 #include "sims/fluid/grid/grid_corners.h"
 
 namespace suture::sims {
 
-/// One component a face: u[a][s] is at grid->face(grid->cell(s), a), the low side of cell s. Faces
-/// that are not known hold nothing that means anything.
+/// Each face has one component: u[a][s] is at grid->face(grid->cell(s), a), the low side of cell s.
+/// A face that is not known holds a number without meaning.
 struct MacVelocity {
-  const SparseGrid* grid = nullptr;
+  SharedGrid grid;
   std::array<std::vector<double>, 3> u;
   std::array<std::vector<std::uint8_t>, 3> known;
 
   MacVelocity() = default;
-  explicit MacVelocity(const SparseGrid& g) : grid(&g) {
+  /// \pre g is not null
+  explicit MacVelocity(SharedGrid g) : grid(std::move(g)) {
     for (int a = 0; a < 3; ++a) {
-      u[a].assign(g.size(), 0);
-      known[a].assign(g.size(), 0);
+      u[a].assign(grid->size(), 0);
+      known[a].assign(grid->size(), 0);
     }
   }
 
@@ -29,7 +31,7 @@ struct MacVelocity {
   double component(int axis, const Point& p, double fallback = 0) const;
   Point at(const Point& p, const Point& fallback = Point::Zero()) const;
 
-  /// Component `axis` of the least and largest known face round p, for clamping.
+  /// The least and largest known of the faces round p that hold component `axis`, for clamping.
   using Bounds = GridCorners::Bounds;
   Bounds bounds(int axis, const Point& p) const;
 };

@@ -28,6 +28,13 @@ SparseGrid::SparseGrid(const Point& origin, double h, const std::vector<Index3>&
   }
   sort_unique(blocks_);
   if (blocks_.empty()) return;
+  index_blocks();
+  link_blocks();
+  for (Index3& b : blocks_)
+    for (int& i : b) i *= kSide;
+}
+
+void SparseGrid::index_blocks() {
   Index3 high = low_ = blocks_.front();
   for (const Index3& b : blocks_)
     for (int a = 0; a < 3; ++a) {
@@ -48,6 +55,9 @@ SparseGrid::SparseGrid(const Point& origin, double h, const std::vector<Index3>&
       table_[static_cast<std::size_t>(
           ((b[0] - low_[0]) * extent_[1] + b[1] - low_[1]) * extent_[2] + b[2] - low_[2])] = n;
   }
+}
+
+void SparseGrid::link_blocks() {
   next_.resize(blocks_.size());
   for (std::size_t n = 0; n < blocks_.size(); ++n)
     for (int a = 0; a < 3; ++a)
@@ -56,8 +66,6 @@ SparseGrid::SparseGrid(const Point& origin, double h, const std::vector<Index3>&
         b[a] += side == 0 ? -1 : 1;
         next_[n][2 * a + side] = block(b);
       }
-  for (Index3& b : blocks_)
-    for (int& i : b) i *= kSide;
 }
 
 std::uint32_t SparseGrid::hashed(const Index3& b) const {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <unordered_map>
 #include <vector>
 
@@ -9,9 +10,15 @@
 
 namespace suture::sims {
 
-/// What a solver calls a cell that exists: its place in every array over the grid.
+/// The place of a cell that exists in every array over the grid.
 using Slot = std::size_t;
 inline constexpr Slot kNoSlot = static_cast<Slot>(-1);
+
+/// Where cells are, whether they exist or not: the low corner of cell (0,0,0), and a cell's side.
+struct GridFrame {
+  Point origin = Point::Zero();
+  double h = 0;
+};
 
 /// Cell (i,j,k) reaches from origin + h·(i,j,k) to origin + h·(i+1,j+1,k+1); indices may be
 /// negative. A scene's box may be vast, as memory goes with the blocks that are there.
@@ -20,7 +27,7 @@ class SparseGrid {
   static constexpr int kSide = 8;
   static constexpr Slot kCells = 512;        ///< of a block
   static constexpr int kFurthest = 1 << 29;  ///< no cell's index is that far from 0
-  /// Which block a cell's index is in: rounds down, also below zero.
+  /// The block that a cell's index is in. Rounds down, also below zero.
   static constexpr int block_of(int i) { return i >> 3; }
 
   SparseGrid() = default;
@@ -29,6 +36,7 @@ class SparseGrid {
   /// \throw InvalidInput if h is not finite and positive, or a cell is 2^29 or further off
   SparseGrid(const Point& origin, double h, const std::vector<Index3>& cells);
 
+  GridFrame frame() const { return {origin_, h_}; }
   double h() const { return h_; }
   const Point& origin() const { return origin_; }
   Slot size() const { return blocks_.size() * kCells; }  ///< slots
@@ -87,6 +95,8 @@ class SparseGrid {
     return table_[at];
   }
   std::uint32_t hashed(const Index3& b) const;
+  void index_blocks();  ///< blocks_ hold the blocks' own indices, in both
+  void link_blocks();
   struct Hash {
     std::size_t operator()(const Index3& b) const;
   };
@@ -100,5 +110,13 @@ class SparseGrid {
   std::vector<std::uint32_t> table_;
   std::unordered_map<Index3, std::uint32_t, Hash> map_;
 };
+
+/// A grid belongs to all that has arrays over it, together.
+using SharedGrid = std::shared_ptr<const SparseGrid>;
+
+/// \throw InvalidInput as SparseGrid
+inline SharedGrid shared_grid(const Point& origin, double h, const std::vector<Index3>& cells) {
+  return std::make_shared<const SparseGrid>(origin, h, cells);
+}
 
 }  // namespace suture::sims

@@ -86,55 +86,86 @@ constexpr double kNoTolerance = 0;
 
 Index3 turned(const Index3& c) { return {c[2], c[1], c[0]}; }
 
-/// visit(slot, n) with the cells of a box, as HYPRE orders them.
+/// Boxes of a sparse grid's cells, as HYPRE knows them.
+class BoxGrid {
+ public:
+  BoxGrid(const SparseGrid& cells, const std::vector<CellBox>& boxes)
+      : cells_(cells), boxes_(boxes) {
+    HYPRE_StructGrid grid = nullptr;
+    HYPRE_StructGridCreate(MPI_COMM_SELF, 3, &grid);
+    for (const CellBox& box : boxes) {
+      Index3 low = turned(box.low), high = turned(box.high);
+      HYPRE_StructGridSetExtents(grid, low.data(), high.data());
+    }
+    HYPRE_StructGridAssemble(grid);
+    grid_ = StructGrid(grid);
+  }
+
+  StructMatrix matrix(const SevenPoint& from, const SystemScale& scale) const;
+  /// value(slot) in each cell of the boxes.
+  template <class Value>
+  StructVector vector(Value value) const;
+  /// Calls visit(slot, number) with the vector's number of each cell.
+  template <class Visit>
+  void read(const StructVector& vector, Visit visit) const;
+
+ private:
+  template <class Visit>
+  void visit_box(const CellBox& box, Visit visit) const;
+
+  const SparseGrid& cells_;
+  const std::vector<CellBox>& boxes_;
+  StructGrid grid_;
+};
+
+/// Calls visit(slot, n) with the cells of a box, as HYPRE orders them.
 template <class Visit>
-void visit_box(const SparseGrid& grid, const CellBox& box, Visit visit) {
+void BoxGrid::visit_box(const CellBox& box, Visit visit) const {
   std::size_t n = 0;
   for (int x = box.low[0]; x <= box.high[0]; ++x)
     for (int y = box.low[1]; y <= box.high[1]; ++y) {
       Slot s = kNoSlot;
       for (int z = box.low[2]; z <= box.high[2]; ++z, ++n) {
-        s = s == kNoSlot || z % SparseGrid::kSide == 0 ? grid.find({x, y, z}) : s + 1;
+        s = s == kNoSlot || z % SparseGrid::kSide == 0 ? cells_.find({x, y, z}) : s + 1;
         visit(s, n);
       }
     }
 }
 
-StructGrid struct_grid(const std::vector<CellBox>& boxes) {
-  HYPRE_StructGrid grid = nullptr;
-  HYPRE_StructGridCreate(MPI_COMM_SELF, 3, &grid);
-  for (const CellBox& box : boxes) {
-    Index3 low = turned(box.low), high = turned(box.high);
-    HYPRE_StructGridSetExtents(grid, low.data(), high.data());
-  }
-  HYPRE_StructGridAssemble(grid);
-  return StructGrid(grid);
-}
-
-StructMatrix struct_matrix(const SevenPoint& from, const std::vector<CellBox>& boxes,
-                           const StructGrid& grid, const SystemScale& scale) {
+/// The cell itself, and those below it along x, y, z.
+StructStencil lower_stencil() {
   HYPRE_StructStencil stencil = nullptr;
   HYPRE_StructStencilCreate(3, 4, &stencil);
-  const StructStencil owner(stencil);
-  for (int entry = 0; entry < 4; ++entry) {  // the cell itself, and those below it along x, y, z
+  StructStencil made(stencil);
+  for (int entry = 0; entry < 4; ++entry) {
     Index3 offset{};
     if (entry > 0) offset[3 - entry] = -1;
     HYPRE_StructStencilSetElement(stencil, entry, offset.data());
   }
+  return made;
+}
+
+/// The mean of the active rows' diagonals, which other cells' rows are multiples of 1 by.
+double mean_diagonal(const SevenPoint& m, const SystemScale& scale) {
+  double sum = 0;
+  std::size_t count = 0;
+  for (Slot s = 0; s < m.active.size(); ++s)
+    if (m.active[s] != 0) sum += std::ldexp(m.diagonal[s], -scale.matrix), ++count;
+  return sum / static_cast<double>(count);
+}
+
+StructMatrix BoxGrid::matrix(const SevenPoint& from, const SystemScale& scale) const {
+  const StructStencil stencil = lower_stencil();
   HYPRE_StructMatrix matrix = nullptr;
-  HYPRE_StructMatrixCreate(MPI_COMM_SELF, grid.get(), stencil, &matrix);
+  HYPRE_StructMatrixCreate(MPI_COMM_SELF, grid_.get(), stencil.get(), &matrix);
   StructMatrix made(matrix);
   HYPRE_StructMatrixSetSymmetric(matrix, 1);
   HYPRE_StructMatrixInitialize(matrix);
-  double sum = 0;
-  std::size_t count = 0;
-  for (Slot s = 0; s < from.active.size(); ++s)
-    if (from.active[s] != 0) sum += std::ldexp(from.diagonal[s], -scale.matrix), ++count;
-  const double identity = sum / static_cast<double>(count);
+  const double identity = mean_diagonal(from, scale);
   std::vector<double> values;
-  for (const CellBox& box : boxes) {
+  for (const CellBox& box : boxes_) {
     values.assign(4 * box.cells(), 0);
-    visit_box(*from.grid, box, [&](Slot s, std::size_t n) {
+    visit_box(box, [&](Slot s, std::size_t n) {
       const bool active = from.active[s] != 0;
       values[4 * n] = active ? std::ldexp(from.diagonal[s], -scale.matrix) : identity;
       for (int a = 0; active && a < 3; ++a)
@@ -149,22 +180,44 @@ StructMatrix struct_matrix(const SevenPoint& from, const std::vector<CellBox>& b
   return made;
 }
 
-/// value(slot) in each cell of the boxes.
 template <class Value>
-StructVector struct_vector(const SparseGrid& cells, const std::vector<CellBox>& boxes,
-                           const StructGrid& grid, Value value) {
+StructVector BoxGrid::vector(Value value) const {
   HYPRE_StructVector vector = nullptr;
-  HYPRE_StructVectorCreate(MPI_COMM_SELF, grid.get(), &vector);
+  HYPRE_StructVectorCreate(MPI_COMM_SELF, grid_.get(), &vector);
   StructVector made(vector);
   HYPRE_StructVectorInitialize(vector);
   std::vector<double> values;
-  for (const CellBox& box : boxes) {
+  for (const CellBox& box : boxes_) {
     values.resize(box.cells());
-    visit_box(cells, box, [&](Slot s, std::size_t n) { values[n] = value(s); });
+    visit_box(box, [&](Slot s, std::size_t n) { values[n] = value(s); });
     Index3 low = turned(box.low), high = turned(box.high);
     HYPRE_StructVectorSetBoxValues(vector, low.data(), high.data(), values.data());
   }
   HYPRE_StructVectorAssemble(vector);
+  return made;
+}
+
+template <class Visit>
+void BoxGrid::read(const StructVector& vector, Visit visit) const {
+  std::vector<double> values;
+  for (const CellBox& box : boxes_) {
+    values.resize(box.cells());
+    Index3 low = turned(box.low), high = turned(box.high);
+    HYPRE_StructVectorGetBoxValues(vector.get(), low.data(), high.data(), values.data());
+    visit_box(box, [&](Slot s, std::size_t n) { visit(s, values[n]); });
+  }
+}
+
+Pfmg made_pfmg() {
+  HYPRE_StructSolver pfmg = nullptr;
+  HYPRE_StructPFMGCreate(MPI_COMM_SELF, &pfmg);
+  Pfmg made(pfmg);
+  HYPRE_StructPFMGSetTol(pfmg, kNoTolerance);
+  HYPRE_StructPFMGSetMaxIter(pfmg, 1);
+  HYPRE_StructPFMGSetZeroGuess(pfmg);
+  HYPRE_StructPFMGSetRelaxType(pfmg, 2);  // red-black Gauss–Seidel, the same both ways
+  HYPRE_StructPFMGSetRAPType(pfmg, 1);    // coarse grids of seven points too
+  HYPRE_StructPFMGSetSkipRelax(pfmg, 1);  // not on grids that coarsened along one axis only
   return made;
 }
 
@@ -239,30 +292,21 @@ Amg made_amg(const SparseRows& matrix) {
 
 }  // namespace
 
-void solve_boxes(const SevenPoint& matrix, const std::vector<CellBox>& boxes,
-                 const std::vector<double>& right, std::vector<double>& x, const SystemScale& scale,
-                 const SolverOptions& options, int& iterations) {
+int solve_boxes(const SevenPoint& matrix, const std::vector<CellBox>& boxes, const HypreTask& task,
+                std::vector<double>& x) {
   need_mpi();
-  const SparseGrid& cells = *matrix.grid;
-  const StructGrid grid = struct_grid(boxes);
-  const StructMatrix a = struct_matrix(matrix, boxes, grid, scale);
+  const auto& [right, scale, options] = task;
+  const BoxGrid grid(*matrix.grid, boxes);
+  const StructMatrix a = grid.matrix(matrix, scale);
   const auto of_active = [&](const std::vector<double>& v, int power) {
-    return struct_vector(cells, boxes, grid, [&, power](Slot s) {
-      return matrix.active[s] != 0 ? std::ldexp(v[s], power) : 0.0;
-    });
+    return grid.vector(
+        [&, power](Slot s) { return matrix.active[s] != 0 ? std::ldexp(v[s], power) : 0.0; });
   };
   const StructVector b = of_active(right, -scale.right);
   const StructVector y = of_active(x, scale.matrix - scale.right);
 
+  const Pfmg cycle = made_pfmg();
   HYPRE_StructSolver handle = nullptr;
-  HYPRE_StructPFMGCreate(MPI_COMM_SELF, &handle);
-  const Pfmg cycle(handle);
-  HYPRE_StructPFMGSetTol(handle, kNoTolerance);
-  HYPRE_StructPFMGSetMaxIter(handle, 1);
-  HYPRE_StructPFMGSetZeroGuess(handle);
-  HYPRE_StructPFMGSetRelaxType(handle, 2);  // red-black Gauss–Seidel, the same both ways
-  HYPRE_StructPFMGSetRAPType(handle, 1);    // coarse grids of seven points too
-  HYPRE_StructPFMGSetSkipRelax(handle, 1);  // not on grids that coarsened along one axis only
   HYPRE_StructPCGCreate(MPI_COMM_SELF, &handle);
   const StructCg cg(handle);
   HYPRE_StructPCGSetTol(handle, options.tolerance);
@@ -273,25 +317,21 @@ void solve_boxes(const SevenPoint& matrix, const std::vector<CellBox>& boxes,
   HYPRE_StructPCGSolve(handle, a.get(), b.get(), y.get());
   HYPRE_Int done = 0;
   HYPRE_StructPCGGetNumIterations(handle, &done);
-  iterations += done;
   check_hypre();
 
-  std::vector<double> values, found = x;
-  for (const CellBox& box : boxes) {
-    values.resize(box.cells());
-    Index3 low = turned(box.low), high = turned(box.high);
-    HYPRE_StructVectorGetBoxValues(y.get(), low.data(), high.data(), values.data());
-    visit_box(cells, box, [&](Slot s, std::size_t n) {
-      if (matrix.active[s] != 0) found[s] = std::ldexp(values[n], scale.right - scale.matrix);
-    });
-  }
+  std::vector<double> found = x;
+  const int power = scale.right - scale.matrix;
+  grid.read(y, [&](Slot s, double value) {
+    if (matrix.active[s] != 0) found[s] = std::ldexp(value, power);
+  });
   if (all_finite(found)) x = std::move(found);
+  return done;
 }
 
-void solve_rows(const SparseRows& matrix, const std::vector<double>& right, std::vector<double>& x,
-                const SystemScale& scale, const SolverOptions& options, RowsMethod method,
-                int& iterations) {
+int solve_rows(const SparseRows& matrix, RowsMethod method, const HypreTask& task,
+               std::vector<double>& x) {
   need_mpi();
+  const auto& [right, scale, options] = task;
   const IjMatrix a = ij_matrix(matrix, scale);
   const IjVector b = ij_vector(right, -scale.right);
   const IjVector y = ij_vector(x, scale.matrix - scale.right);
@@ -314,12 +354,12 @@ void solve_rows(const SparseRows& matrix, const std::vector<double>& right, std:
   HYPRE_ParCSRPCGSolve(handle, pa, pb, py);
   HYPRE_Int done = 0;
   HYPRE_PCGGetNumIterations(handle, &done);
-  iterations += done;
   check_hypre();
   std::vector<double> found(x.size());
   HYPRE_IJVectorGetValues(y.get(), static_cast<HYPRE_Int>(x.size()), nullptr, found.data());
   for (double& value : found) value = std::ldexp(value, scale.right - scale.matrix);
   if (all_finite(found)) x = std::move(found);
+  return done;
 }
 
 }  // namespace suture::sims

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "sims/fluid/grid/cell_boxes.h"
-#include "sims/fluid/linear/linear_solver.h"
+#include "sims/fluid/linear/linear_system.h"
 
 namespace suture::sims {
 
@@ -12,17 +12,23 @@ struct SystemScale {
   int matrix = 0, right = 0;
 };
 
-/// Each solves from x as it is, adds to `iterations`, and throws InternalFailure where HYPRE
-/// reports an error other than that it did not converge. \pre there is a row
+/// A right side, and how the system is to be solved for it. Keeps a reference to the values.
+struct HypreTask {
+  const std::vector<double>& right;
+  SystemScale scale;
+  SolverOptions options;
+};
 
-/// By PFMG on boxes that hold all active cells and no missing one.
-void solve_boxes(const SevenPoint& matrix, const std::vector<CellBox>& boxes,
-                 const std::vector<double>& right, std::vector<double>& x, const SystemScale& scale,
-                 const SolverOptions& options, int& iterations);
+/// Each solves from x as it is and returns how many iterations it took. x stays as it was where
+/// what is found is not finite. \throw InternalFailure where HYPRE reports an error other than that
+/// it did not converge. \pre there is a row
+
+/// Uses PFMG on boxes that hold all active cells and no missing one.
+int solve_boxes(const SevenPoint& matrix, const std::vector<CellBox>& boxes, const HypreTask& task,
+                std::vector<double>& x);
 
 enum class RowsMethod { kDiagonal, kAmg };
-void solve_rows(const SparseRows& matrix, const std::vector<double>& right, std::vector<double>& x,
-                const SystemScale& scale, const SolverOptions& options, RowsMethod method,
-                int& iterations);
+int solve_rows(const SparseRows& matrix, RowsMethod method, const HypreTask& task,
+               std::vector<double>& x);
 
 }  // namespace suture::sims

@@ -18,7 +18,7 @@ namespace {
 constexpr std::size_t kMostBoxes = 250;
 constexpr std::size_t kCellsPerRow = 4;
 
-/// As many iterations with diagonal scaling cost what AMG does in all, for matrices of diffusion.
+/// So many iterations with diagonal scaling cost what AMG does in all, for matrices of diffusion.
 constexpr int kDiagonalIterations = 140;
 /// After so many it is seen whether they will do.
 constexpr int kTrial = 40;
@@ -26,31 +26,35 @@ constexpr int kTrial = 40;
 /// The residual that conjugate gradients carry along may say less than the true one, by rounding.
 constexpr double kDrift = 1.1;
 
-void require_size(bool fits, const char* what) {
-  if (!fits)
+void require_size(std::size_t size, std::size_t rows, const char* what) {
+  if (size != rows)
     throw InvalidInput(std::string("linear solver: ") + what +
                        " has not one value a row of the matrix; both must be of one grid");
 }
 
-/// What a system holds: how large its numbers are.
-struct Sizes {
-  double diagonal = 0, right = 0;
+/// A right side, and how large its numbers and those of the matrix's diagonal are.
+struct RightSide {
+  const std::vector<double>& values;
+  double diagonal = 0, size = 0;
 
-  void add(double d, double b, std::size_t row) {
+  void add(double d, std::size_t row) {
+    const double b = values[row];
     if (!(d > 0) || !std::isfinite(d) || !std::isfinite(b))
       throw InvalidInput("linear solver: row " + std::to_string(row) + " has the diagonal " +
                          number(d) + " and the right side " + number(b) +
                          "; the first must be positive and both finite");
     diagonal = std::max(diagonal, d);
-    right = std::max(right, std::abs(b));
+    size = std::max(size, std::abs(b));
   }
-  SystemScale scale() const { return {std::ilogb(diagonal), std::ilogb(right)}; }
+  HypreTask task(const SolverOptions& options) const {
+    return {values, {std::ilogb(diagonal), std::ilogb(size)}, options};
+  }
 };
 
 /// The relative residual, from sums that neither vanish nor overflow at any scale.
 class Residual {
  public:
-  explicit Residual(double right_size) : unit_(right_size) {}
+  explicit Residual(const RightSide& right) : unit_(right.size) {}
   void add(double b, double ax) {
     right_ += (b / unit_) * (b / unit_);
     rest_ += ((b - ax) / unit_) * ((b - ax) / unit_);
@@ -61,9 +65,8 @@ class Residual {
   double unit_, right_ = 0, rest_ = 0;
 };
 
-double residual(const SevenPoint& m, const std::vector<double>& right, const std::vector<double>& x,
-                const Sizes& sizes) {
-  Residual sum(sizes.right);
+double residual(const SevenPoint& m, const RightSide& right, const std::vector<double>& x) {
+  Residual sum(right);
   for (Slot s = 0; s < x.size(); ++s) {
     if (m.active[s] == 0) continue;
     double ax = m.diagonal[s] * x[s];
@@ -72,20 +75,29 @@ double residual(const SevenPoint& m, const std::vector<double>& right, const std
       const Slot above = m.grid->neighbour(s, a, 1);
       if (above != kNoSlot && m.low[a][above] != 0) ax += m.low[a][above] * x[above];
     }
-    sum.add(right[s], ax);
+    sum.add(right.values[s], ax);
   }
   return sum.relative();
 }
 
-double residual(const SparseRows& m, const std::vector<double>& right, const std::vector<double>& x,
-                const Sizes& sizes) {
-  Residual sum(sizes.right);
+double residual(const SparseRows& m, const RightSide& right, const std::vector<double>& x) {
+  Residual sum(right);
   for (std::size_t r = 0; r < m.rows(); ++r) {
     double ax = 0;
     for (std::size_t n = m.first[r]; n < m.first[r + 1]; ++n) ax += m.value[n] * x[m.column[n]];
-    sum.add(right[r], ax);
+    sum.add(right.values[r], ax);
   }
   return sum.relative();
+}
+
+bool reached(const SolveReport& report, const SolverOptions& options) {
+  return report.residual <= kDrift * options.tolerance;
+}
+
+SolveStatus status_of(const SolveReport& report, const SolverOptions& options) {
+  return reached(report, options)                      ? SolveStatus::converged
+         : report.iterations < options.most_iterations ? SolveStatus::broken_down
+                                                       : SolveStatus::iterations_exhausted;
 }
 
 /// The active rows alone.
@@ -120,17 +132,17 @@ ActiveRows active_rows(const SevenPoint& m) {
   return made;
 }
 
-/// By AMG on the active rows alone.
-void solve_by_rows(const SevenPoint& m, const std::vector<double>& right, std::vector<double>& x,
-                   const SystemScale& scale, const SolverOptions& options, int& iterations) {
+/// Solves by AMG on the active rows alone, and returns the iterations.
+int solve_by_rows(const SevenPoint& m, const HypreTask& task, std::vector<double>& x) {
   const ActiveRows active = active_rows(m);
   std::vector<double> b, y;
   for (const Slot s : active.slots) {
-    b.push_back(right[s]);
+    b.push_back(task.right[s]);
     y.push_back(x[s]);
   }
-  solve_rows(active.rows, b, y, scale, options, RowsMethod::kAmg, iterations);
+  const int done = solve_rows(active.rows, RowsMethod::kAmg, {b, task.scale, task.options}, y);
   for (std::size_t n = 0; n < y.size(); ++n) x[active.slots[n]] = y[n];
+  return done;
 }
 
 bool worth_boxes(const std::vector<CellBox>& boxes, std::size_t rows) {
@@ -151,83 +163,87 @@ SolverOptions with_iterations(const SolverOptions& options, int most) {
   return rest;
 }
 
+/// \throw InvalidInput if an array is not of the matrix's grid
+void check_sizes(const SevenPoint& matrix, const std::vector<double>& right) {
+  const std::size_t size = matrix.grid == nullptr ? 0 : matrix.grid->size();
+  require_size(matrix.diagonal.size(), size, "the matrix");
+  require_size(matrix.active.size(), size, "the matrix");
+  for (const auto& low : matrix.low) require_size(low.size(), size, "the matrix");
+  require_size(right.size(), size, "the right side");
+}
+
 }  // namespace
 
 SolveReport solve(const SevenPoint& matrix, const std::vector<double>& right,
                   std::vector<double>& x, const SolverOptions& options) {
-  const std::size_t size = matrix.grid == nullptr ? 0 : matrix.grid->size();
-  require_size(matrix.diagonal.size() == size && matrix.active.size() == size &&
-                   matrix.low[0].size() == size && matrix.low[1].size() == size &&
-                   matrix.low[2].size() == size,
-               "the matrix");
-  require_size(right.size() == size, "the right side");
+  check_sizes(matrix, right);
+  const std::size_t size = right.size();
   if (x.size() != size) x.assign(size, 0);
-  Sizes sizes;
+  RightSide side{right};
   std::size_t rows = 0;
   for (Slot s = 0; s < size; ++s) {
     if (matrix.active[s] == 0) {
       x[s] = 0;
       continue;
     }
-    sizes.add(matrix.diagonal[s], right[s], s);
+    side.add(matrix.diagonal[s], s);
     ++rows;
   }
   require_finite(x);
   SolveReport report;
-  if (sizes.right == 0) {
+  if (side.size == 0) {
     x.assign(size, 0);
     return report;
   }
-  report.residual = residual(matrix, right, x, sizes);
+  report.residual = residual(matrix, side, x);
   if (report.residual <= options.tolerance) return report;  // HYPRE would take an iteration
   const std::vector<CellBox> boxes = active_boxes(*matrix.grid, matrix.active);
   if (worth_boxes(boxes, rows)) {
-    solve_boxes(matrix, boxes, right, x, sizes.scale(), options, report.iterations);
-    report.residual = residual(matrix, right, x, sizes);
+    report.iterations = solve_boxes(matrix, boxes, side.task(options), x);
+    report.residual = residual(matrix, side, x);
   }
-  if (!(report.residual <= kDrift * options.tolerance) &&
-      report.iterations < options.most_iterations) {
-    solve_by_rows(matrix, right, x, sizes.scale(),
-                  with_iterations(options, options.most_iterations - report.iterations),
-                  report.iterations);
-    report.residual = residual(matrix, right, x, sizes);
+  if (const int left = options.most_iterations - report.iterations;
+      !reached(report, options) && left > 0) {
+    report.iterations += solve_by_rows(matrix, side.task(with_iterations(options, left)), x);
+    report.residual = residual(matrix, side, x);
   }
+  report.status = status_of(report, options);
   return report;
 }
 
 SolveReport solve(const SparseRows& matrix, const std::vector<double>& right,
                   std::vector<double>& x, const SolverOptions& options) {
   const std::size_t rows = matrix.rows();
-  require_size(right.size() == rows, "the right side");
-  require_size(matrix.component.empty() || matrix.component.size() == rows, "the component");
+  require_size(right.size(), rows, "the right side");
+  if (!matrix.component.empty()) require_size(matrix.component.size(), rows, "the component");
   if (x.size() != rows) x.assign(rows, 0);
   require_finite(x);
-  Sizes sizes;
+  RightSide side{right};
   for (std::size_t r = 0; r < rows; ++r) {
     double diagonal = 0;
     for (std::size_t n = matrix.first[r]; n < matrix.first[r + 1]; ++n)
       if (matrix.column[n] == r) diagonal = matrix.value[n];
-    sizes.add(diagonal, right[r], r);
+    side.add(diagonal, r);
   }
   SolveReport report;
-  if (sizes.right == 0) {
+  if (side.size == 0) {
     x.assign(rows, 0);
     return report;
   }
-  report.residual = residual(matrix, right, x, sizes);
+  report.residual = residual(matrix, side, x);
   if (report.residual <= options.tolerance) return report;
   const auto go_on = [&](RowsMethod method, int most) {
     most = std::min(most, options.most_iterations - report.iterations);
-    if (report.residual <= kDrift * options.tolerance || most <= 0) return;
-    solve_rows(matrix, right, x, sizes.scale(), with_iterations(options, most), method,
-               report.iterations);
-    report.residual = residual(matrix, right, x, sizes);
+    if (reached(report, options) || most <= 0) return;
+    report.iterations += solve_rows(matrix, method, side.task(with_iterations(options, most)), x);
+    report.residual = residual(matrix, side, x);
   };
   go_on(RowsMethod::kDiagonal, kTrial);
   const double needed = kTrial * std::log(options.tolerance) / std::log(report.residual);
   if (report.residual < 1 && needed <= kDiagonalIterations)
     go_on(RowsMethod::kDiagonal, kDiagonalIterations - kTrial);
   go_on(RowsMethod::kAmg, options.most_iterations);
+  report.status = status_of(report, options);
   return report;
 }
 

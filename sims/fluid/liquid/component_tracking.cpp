@@ -12,20 +12,26 @@
 namespace suture::sims {
 namespace {
 
-constexpr std::size_t kSample = 64;  // vertices; in eighths of them a body is told by its share
-constexpr std::size_t kShare = 8;
+constexpr std::size_t kSample = 64;  // vertices that a body is asked by
+constexpr std::size_t kPart = 8;     // an eighth of them has to be near another body
 
+/// One of the two surfaces, whose bodies have the numbers from `first` on among those of both.
 struct Side {
   const Triangles& surface;
   const LiquidBodies& bodies;
+  std::uint32_t first;
   std::vector<std::uint32_t> of_vertex;
   std::vector<std::uint8_t> linked;
   std::optional<NearestTriangle> nearest;
 
-  Side(const Triangles& s, const LiquidBodies& b)
-      : surface(s), bodies(b), of_vertex(s.positions.size(), kNone), linked(b.count, 0) {
-    for (std::size_t t = 0; t < s.triangles.size(); ++t)
-      for (const std::uint32_t v : s.triangles[t]) of_vertex[v] = b.of_triangle[t];
+  Side(const SurfaceBodies& side, std::size_t first_number)
+      : surface(side.surface),
+        bodies(side.bodies),
+        first(static_cast<std::uint32_t>(first_number)),
+        of_vertex(surface.positions.size(), kNone),
+        linked(bodies.count, 0) {
+    for (std::size_t t = 0; t < surface.triangles.size(); ++t)
+      for (const std::uint32_t v : surface.triangles[t]) of_vertex[v] = bodies.of_triangle[t];
   }
 };
 
@@ -38,8 +44,7 @@ void join_by_vertices(Side& before, Side& after, UnionFind& sets) {
     const std::uint32_t same = first[split + v];
     if (same >= split || after.of_vertex[v] == kNone || before.of_vertex[same] == kNone) continue;
     before.linked[before.of_vertex[same]] = after.linked[after.of_vertex[v]] = 1;
-    sets.join(before.of_vertex[same],
-              static_cast<std::uint32_t>(before.bodies.count) + after.of_vertex[v]);
+    sets.join(before.first + before.of_vertex[same], after.first + after.of_vertex[v]);
   }
 }
 
@@ -59,39 +64,37 @@ std::vector<std::uint32_t> near_to(const std::vector<std::uint32_t>& vertices, c
       ++votes[other.bodies.of_triangle[other.nearest->triangle(p)]];
   std::vector<std::uint32_t> near;
   for (const auto& [body, n] : votes)
-    if (kShare * n >= count) near.push_back(body);
+    if (kPart * n >= count) near.push_back(body);
   return near;
 }
 
-void join_by_nearness(Side& own, Side& other, bool own_is_before, UnionFind& sets) {
+void join_by_nearness(const Side& own, Side& other, UnionFind& sets) {
   if (other.surface.triangles.empty()) return;
   std::vector<std::vector<std::uint32_t>> vertices(own.bodies.count);
   for (std::uint32_t v = 0; v < own.of_vertex.size(); ++v)
     if (const std::uint32_t body = own.of_vertex[v]; body != kNone && own.linked[body] == 0)
       vertices[body].push_back(v);
-  const auto own_first = static_cast<std::uint32_t>(own_is_before ? 0 : other.bodies.count);
-  const auto other_first = static_cast<std::uint32_t>(own_is_before ? own.bodies.count : 0);
   for (std::uint32_t body = 0; body < own.bodies.count; ++body)
     if (!vertices[body].empty())
       for (const std::uint32_t near : near_to(vertices[body], own, other))
-        sets.join(own_first + body, other_first + near);
+        sets.join(own.first + body, other.first + near);
 }
 
 }  // namespace
 
-BodyGroups body_groups(const Triangles& before, const LiquidBodies& bodies_before,
-                       const Triangles& after, const LiquidBodies& bodies_after) {
-  Side first(before, bodies_before), second(after, bodies_after);
-  UnionFind sets(bodies_before.count + bodies_after.count);
+ComponentGroups track_components(const SurfaceBodies& before, const SurfaceBodies& after) {
+  const std::size_t split = before.bodies.count, all = split + after.bodies.count;
+  Side first(before, 0), second(after, split);
+  UnionFind sets(all);
   join_by_vertices(first, second, sets);
-  join_by_nearness(first, second, true, sets);
-  join_by_nearness(second, first, false, sets);
-  BodyGroups groups;
-  std::vector<std::uint32_t> number(bodies_before.count + bodies_after.count, kNone);
-  for (std::uint32_t body = 0; body < number.size(); ++body) {
+  join_by_nearness(first, second, sets);
+  join_by_nearness(second, first, sets);
+  ComponentGroups groups;
+  std::vector<std::uint32_t> number(all, kNone);
+  for (std::uint32_t body = 0; body < all; ++body) {
     std::uint32_t& n = number[sets.root(body)];
     if (n == kNone) n = static_cast<std::uint32_t>(groups.count++);
-    (body < bodies_before.count ? groups.before : groups.after).push_back(n);
+    (body < split ? groups.before : groups.after).push_back(n);
   }
   return groups;
 }

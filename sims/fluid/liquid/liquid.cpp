@@ -1,205 +1,160 @@
-// Which cells of the physics grid are liquid, from the tracked surface.
+// Which cells of the physics grid are liquid, also continued into the solids that it touches.
 #include "sims/fluid/liquid/liquid.h"
-
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <cmath>
-#include <map>
+#include <memory>
+#include <optional>
+#include <utility>
 
 #include "kernel/lists.h"
-#include "kernel/measure/measures.h"
-#include "sims/fluid/liquid/surface_cells.h"
+#include "kernel/measure/nearest_triangle.h"
 
 namespace suture::sims {
 namespace {
 
-constexpr int kSide = SparseGrid::kSide;
+/// A triangle so near a wall, in cells, is none whose plane the surface has: it lies along the
+/// wall, or is one of those that round off the edge where the surface meets it.
+constexpr double kTouching = 0.25;
 
-/// Gives the cells between near ones the sign of those, row by row along the last axis: no triangle
-/// comes between them.
-void fill_between(LiquidCells& cells) {
-  const std::vector<Index3>& blocks = cells.grid.blocks();
-  const double far = kFar * cells.grid.h();
-  const auto same_row = [&](std::size_t a, std::size_t b) {
-    return blocks[a][0] == blocks[b][0] && blocks[a][1] == blocks[b][1];
-  };
-  for (std::size_t first = 0, last = 0; first < blocks.size(); first = last) {
-    while (last < blocks.size() && same_row(first, last)) ++last;
-    for (int row = 0; row < kSide * kSide; ++row) {
-      bool inside = false;
-      int above = blocks[first][2];  // the first cell that this row has no block for so far
-      for (std::size_t b = first; b < last; ++b) {
-        if (inside && above < blocks[b][2]) {
-          const int x = blocks[b][0] + row / kSide, y = blocks[b][1] + row % kSide;
-          cells.deep.push_back({{x, y, above}, blocks[b][2] - above});
-        }
-        above = blocks[b][2] + kSide;
-        const Slot begin = b * SparseGrid::kCells + static_cast<Slot>(row * kSide);
-        for (Slot s = begin; s < begin + kSide; ++s)
-          if (cells.near[s] != 0)
-            inside = cells.distance[s] < 0;
-          else
-            cells.distance[s] = inside ? -far : far;
-      }
+/// A little further from it, one that faces the wall within 60° lies along it.
+constexpr double kFacing = -0.5;
+
+/// The normal of a wall is taken over this part of a cell.
+constexpr double kNormalStep = 0.01;
+
+using Plane = Eigen::Hyperplane<double, 3>;
+
+/// The triangles near solids that do not lie along them: the surface that has a pressure.
+class FreeSurface {
+ public:
+  FreeSurface(const Triangles& surface, const SolidsAt& solids, double h) : solids_(solids), h_(h) {
+    const double reach = (2 * kNear + 1) * h;
+    for (const Triangle& triangle : surface.triangles) {
+      const std::array<Point, 3> corner{surface.positions[triangle[0]],
+                                        surface.positions[triangle[1]],
+                                        surface.positions[triangle[2]]};
+      const Point middle = (corner[0] + corner[1] + corner[2]) / 3;
+      const double d = solids.distance(middle);
+      if (d > reach || d <= kTouching * h) continue;
+      const Point across = (corner[1] - corner[0]).cross(corner[2] - corner[0]);
+      if (across.stableNorm() == 0) continue;
+      if (d <= kThinnestAir * h &&
+          across.stableNormalized().dot(solids.normal(middle, kNormalStep * h)) < kFacing)
+        continue;
+      const auto first = static_cast<std::uint32_t>(free_.positions.size());
+      free_.triangles.push_back({first, first + 1, first + 2});
+      free_.positions.insert(free_.positions.end(), corner.begin(), corner.end());
     }
+    if (!free_.triangles.empty()) nearest_ = std::make_unique<NearestTriangle>(free_);
   }
-  const auto before = [](const LiquidCells::Run& a, const LiquidCells::Run& b) {
-    return a.first < b.first;
-  };
-  std::sort(cells.deep.begin(), cells.deep.end(), before);
-}
 
-template <class Visit>
-void visit_cells(const CellRange& range, Visit visit) {
-  for (int x = range.low[0]; x <= range.high[0]; ++x)
-    for (int y = range.low[1]; y <= range.high[1]; ++y)
-      for (int z = range.low[2]; z <= range.high[2]; ++z) visit(Index3{x, y, z});
-}
+  const SolidsAt& solids() const { return solids_; }
 
-/// Bodies of which no triangle has a cell inside next to it hold no cell's centre.
-void find_drops(const Triangles& surface, LiquidCells& cells) {
-  const Components bodies = components(surface);
-  std::vector<std::uint8_t> holds(bodies.count, 0);
-  const auto round = [&](std::size_t t, double wider) {
-    return cells_round(in_cells(surface, surface.triangles[t], cells.grid), wider);
-  };
-  for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
-    std::uint8_t& held = holds[bodies.of_triangle[t]];
-    if (held != 0) continue;
-    visit_cells(round(t, 1), [&](const Index3& c) {
-      if (const Slot s = cells.grid.find(c); s != kNoSlot && cells.distance[s] < 0) held = 1;
-    });
+  /// The plane of the nearest triangle, if one is within kNear cells.
+  std::optional<Plane> plane(const Point& p) const {
+    if (nearest_ == nullptr || nearest_->distance(p) > kNear * h_) return std::nullopt;
+    const Triangle& t = free_.triangles[nearest_->triangle(p)];
+    const Point& a = free_.positions[t[0]];
+    const Point across = (free_.positions[t[1]] - a).cross(free_.positions[t[2]] - a);
+    return Plane(across.stableNormalized(), a);
   }
-  std::vector<std::uint32_t> number(bodies.count, kNone);
-  for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
-    const std::uint32_t body = bodies.of_triangle[t];
-    if (holds[body] != 0) continue;
-    if (number[body] == kNone) {
-      number[body] = static_cast<std::uint32_t>(cells.drops.size());
-      cells.drops.emplace_back();
-    }
-    Drop& drop = cells.drops[number[body]];
-    drop.vertices.insert(drop.vertices.end(), surface.triangles[t].begin(),
-                         surface.triangles[t].end());
-    visit_cells(round(t, 0.5), [&](const Index3& c) { drop.cells.push_back(c); });
-  }
-  for (Drop& drop : cells.drops) {
-    sort_unique(drop.vertices);
-    sort_unique(drop.cells);
-  }
-}
 
-/// D of the near cells: the first alone, as a tracker may prepare something then.
-void ask_near(const DistanceFunction& distance, LiquidCells& cells) {
-  const SparseGrid& grid = cells.grid;
-  const auto ask = [&](Slot s) { cells.distance[s] = distance(grid.centre(grid.cell(s))); };
-  const auto first = std::find(cells.near.begin(), cells.near.end(), 1);
-  if (first == cells.near.end()) return;
-  ask(static_cast<Slot>(first - cells.near.begin()));
-  tbb::parallel_for(
-      tbb::blocked_range<std::size_t>(0, grid.blocks().size()), [&](const auto& range) {
-        for (Slot s = range.begin() * SparseGrid::kCells; s < range.end() * SparseGrid::kCells; ++s)
-          if (cells.near[s] != 0) ask(s);
-      });
-}
-
-}  // namespace
-
-LiquidCells find_liquid(const Triangles& surface, const DistanceFunction& distance,
-                        const Point& origin, double h, int near) {
-  LiquidCells cells;
-  cells.grid = blocks_near(surface, origin, h, near);
-  cells.near = cells_near(surface, cells.grid, near);
-  cells.distance.assign(cells.grid.size(), 0);
-  ask_near(distance, cells);
-  fill_between(cells);
-  for (int a = 0; a < 3; ++a) cells.crossings[a] = crossings_along(surface, cells.grid, a);
-  find_drops(surface, cells);
-  return cells;
-}
-
-namespace {
-
-/// Blocks, of which many are named again and again: no more are held than some twice those there.
-struct BlockList {
-  static constexpr std::size_t kFew = 4096;
-  std::vector<Index3> all;
-  std::size_t known = 0;  ///< the first so many are sorted, each once
-
-  void tidy() {
-    if (all.size() < 2 * known + kFew) return;
-    sort_unique(all);
-    known = all.size();
-  }
+ private:
+  SolidsAt solids_;
+  double h_;
+  Triangles free_;
+  std::unique_ptr<NearestTriangle> nearest_;
 };
 
-/// One cell of each block that is within the band of a drop's cells: what drops have of a block
-/// counts as the box round it, so that a block more at most is there, and none a cell.
-void add_round_drops(const std::vector<Drop>& drops, int band, BlockList& blocks) {
-  std::map<Index3, CellRange> boxes;  // by block
-  for (const Drop& drop : drops)
-    for (const Index3& c : drop.cells) {
-      const Index3 block{SparseGrid::block_of(c[0]), SparseGrid::block_of(c[1]),
-                         SparseGrid::block_of(c[2])};
-      CellRange& box = boxes.try_emplace(block, CellRange{c, c}).first->second;
-      for (int a = 0; a < 3; ++a) {
-        box.low[a] = std::min(box.low[a], c[a]);
-        box.high[a] = std::max(box.high[a], c[a]);
-      }
+/// A cell whose D was made from a plane: the ways to its neighbours cross that, not what of the
+/// surface lies along the solid.
+struct Continued {
+  Slot slot;
+  Plane plane;
+};
+
+/// Continues D into solids, and says where; `near`: a slot of the grid each.
+std::vector<Continued> continue_into_solids(Liquid& liquid, const std::vector<std::uint8_t>& near,
+                                            const FreeSurface& free) {
+  const SparseGrid& grid = *liquid.grid;
+  const double h = grid.h(), thinnest = kThinnestAir * h;
+  std::vector<Continued> continued;
+  for (Slot s = 0; s < grid.size(); ++s) {
+    if (near[s] == 0) continue;
+    const Point p = grid.centre(grid.cell(s));
+    const double to_solid = free.solids().distance(p), to_liquid = liquid.distance[s];
+    const bool in_solid = to_solid <= 0;
+    if (to_liquid < 0 ? !in_solid : to_solid + to_liquid > thinnest) continue;
+    if (const std::optional<Plane> plane = free.plane(p)) {
+      liquid.distance[s] = plane->signedDistance(p);
+      continued.push_back({s, *plane});
+    } else {
+      liquid.distance[s] = -h / 2;
     }
-  for (auto [block, box] : boxes) {
-    for (int a = 0; a < 3; ++a) {
-      box.low[a] = SparseGrid::block_of(box.low[a] - band);
-      box.high[a] = SparseGrid::block_of(box.high[a] + band);
+  }
+  return continued;
+}
+
+/// Replaces what is said of a face, or adds it.
+void set_crossing(std::vector<FaceCrossing>& crossings, std::vector<FaceCrossing>& added,
+                  const FaceCrossing& crossing) {
+  const auto at = std::lower_bound(crossings.begin(), crossings.end(), crossing.face,
+                                   [](const FaceCrossing& c, Slot face) { return c.face < face; });
+  if (at != crossings.end() && at->face == crossing.face)
+    *at = crossing;
+  else
+    added.push_back(crossing);
+}
+
+/// Where the ways from continued cells cross their planes; faces of `axis` that have no crossing
+/// yet are returned.
+std::vector<FaceCrossing> crossings_of_planes(Liquid& liquid,
+                                              const std::vector<Continued>& continued, int axis) {
+  const SparseGrid& grid = *liquid.grid;
+  std::vector<FaceCrossing> added;
+  for (const Continued& c : continued)
+    for (const int side : {-1, 1}) {
+      const Slot n = grid.neighbour(c.slot, axis, side);
+      if (n == kNoSlot || liquid.inside(n) == liquid.inside(c.slot)) continue;
+      const double here = liquid.distance[c.slot];
+      const double there = c.plane.signedDistance(grid.centre(grid.cell(n)));
+      if ((here < 0) == (there < 0)) continue;
+      const double way = here / (here - there), up = side > 0 ? way : 1 - way;
+      set_crossing(liquid.crossings[axis], added, {side > 0 ? n : c.slot, up, up});
     }
-    visit_cells(box, [&](const Index3& n) {
-      blocks.all.push_back({n[0] * kSide, n[1] * kSide, n[2] * kSide});
-    });
-    blocks.tidy();
+  return added;
+}
+
+bool before(const FaceCrossing& a, const FaceCrossing& b) { return a.face < b.face; }
+
+void cross_planes(Liquid& liquid, const std::vector<Continued>& continued) {
+  for (int axis = 0; axis < 3; ++axis) {
+    const std::vector<FaceCrossing> added = crossings_of_planes(liquid, continued, axis);
+    std::vector<FaceCrossing>& all = liquid.crossings[axis];
+    all.insert(all.end(), added.begin(), added.end());
+    std::stable_sort(all.begin(), all.end(), before);
+    const auto same = [](const FaceCrossing& a, const FaceCrossing& b) { return a.face == b.face; };
+    all.erase(std::unique(all.begin(), all.end(), same), all.end());
+  }
+}
+
+/// Takes over the cells' values, block by block.
+template <class T>
+void copy_blocks(const SparseGrid& from, const std::vector<T>& values, const SparseGrid& to,
+                 std::vector<T>& copies) {
+  for (std::size_t b = 0; b < to.blocks().size(); ++b) {
+    const Slot at = from.find(to.blocks()[b]);
+    if (at == kNoSlot) continue;
+    std::copy_n(values.begin() + static_cast<std::ptrdiff_t>(at),
+                std::ptrdiff_t{SparseGrid::kCells},
+                copies.begin() + static_cast<std::ptrdiff_t>(b * SparseGrid::kCells));
   }
 }
 
 }  // namespace
 
-SparseGrid grid_round(const LiquidCells& cells, int band) {
-  const SparseGrid& grid = cells.grid;
-  const int reach = (band + kSide - 1) / kSide, width = 2 * reach + 1;
-  BlockList blocks;
-  for (std::size_t b = 0; b < grid.blocks().size(); ++b) {
-    // Which of the blocks round this one come within the band of one of its cells.
-    std::vector<std::uint8_t> wanted(static_cast<std::size_t>(width * width * width), 0);
-    for (Slot s = b * SparseGrid::kCells; s < (b + 1) * SparseGrid::kCells; ++s) {
-      const bool surface = cells.near[s] != 0 && std::abs(cells.distance[s]) < grid.h();
-      if (!surface && !(cells.distance[s] < 0)) continue;
-      const int wide = surface ? band : 0;  // far inside, the surface's cells have the band's
-      const Index3 in = SparseGrid::in_block(s);
-      Index3 low, high;  // blocks, from the lowest of those round this one
-      for (int a = 0; a < 3; ++a) {
-        low[a] = (in[a] - wide + reach * kSide) / kSide;
-        high[a] = (in[a] + wide + reach * kSide) / kSide;
-      }
-      visit_cells({low, high}, [&](const Index3& n) {
-        wanted[static_cast<std::size_t>((n[0] * width + n[1]) * width + n[2])] = 1;
-      });
-    }
-    visit_cells({{0, 0, 0}, {width - 1, width - 1, width - 1}}, [&](const Index3& n) {
-      if (wanted[static_cast<std::size_t>((n[0] * width + n[1]) * width + n[2])] == 0) return;
-      Index3 block = grid.blocks()[b];
-      for (int a = 0; a < 3; ++a) block[a] += (n[a] - reach) * kSide;
-      blocks.all.push_back(block);
-    });
-    blocks.tidy();
-  }
-  for (const LiquidCells::Run& run : cells.deep)
-    for (int n = 0; n < run.count; n += kSide)
-      blocks.all.push_back({run.first[0], run.first[1], run.first[2] + n});
-  add_round_drops(cells.drops, band, blocks);
-  return {grid.origin(), grid.h(), blocks.all};
-}
-
-double Liquid::share(int axis, Slot face) const {
+double Liquid::way_to_surface(int axis, Slot face) const {
   const Slot below = grid->neighbour(face, axis, -1);
   const auto at = std::lower_bound(crossings[axis].begin(), crossings[axis].end(), face,
                                    [](const FaceCrossing& c, Slot s) { return c.face < s; });
@@ -210,9 +165,42 @@ double Liquid::share(int axis, Slot face) const {
 }
 
 std::size_t Liquid::memory() const {
-  std::size_t bytes = distance.size() * sizeof(double) + drops.size() * sizeof(Slot);
+  std::size_t bytes = distance.size() * sizeof(double) + droplet_cells.size() * sizeof(Slot);
   for (const auto& along : crossings) bytes += along.size() * sizeof(FaceCrossing);
   return bytes;
+}
+
+Liquid liquid_on(SharedGrid shared, const SampledSurface& sampled) {
+  Liquid liquid;
+  liquid.grid = std::move(shared);
+  const SparseGrid& grid = *liquid.grid;
+  liquid.distance.assign(grid.size(), kFar * grid.h());
+  copy_blocks(sampled.grid, sampled.distance, grid, liquid.distance);
+  for (const SampledSurface::Run& run : sampled.deep)
+    for (Index3 c = run.first; c[2] < run.first[2] + run.count; ++c[2])
+      if (const Slot s = grid.find(c); s != kNoSlot) liquid.distance[s] = -kFar * grid.h();
+  for (int a = 0; a < 3; ++a)
+    for (FaceCrossing crossing : sampled.crossings[a]) {
+      crossing.face = grid.find(sampled.grid.cell(crossing.face));
+      if (crossing.face != kNoSlot) liquid.crossings[a].push_back(crossing);
+    }
+  for (auto& along : liquid.crossings) std::sort(along.begin(), along.end(), before);
+  for (const SubgridDroplet& droplet : sampled.droplets)
+    for (const Index3& c : droplet.cells)
+      if (const Slot s = grid.find(c); s != kNoSlot) liquid.droplet_cells.push_back(s);
+  sort_unique(liquid.droplet_cells);
+  return liquid;
+}
+
+Liquid liquid_on(SharedGrid grid, const SampledSurface& sampled, const Triangles& surface,
+                 const SolidsAt& solids) {
+  Liquid liquid = liquid_on(std::move(grid), sampled);
+  if (!solids.any()) return liquid;
+  std::vector<std::uint8_t> near(liquid.grid->size(), 0);
+  copy_blocks(sampled.grid, sampled.near, *liquid.grid, near);
+  const FreeSurface free(surface, solids, liquid.grid->h());
+  cross_planes(liquid, continue_into_solids(liquid, near, free));
+  return liquid;
 }
 
 }  // namespace suture::sims

@@ -6,7 +6,6 @@
 
 #include "kernel/measure/measures.h"
 #include "kernel/measure/signed_distance.h"
-#include "sims/fluid/liquid/crossing.h"
 
 namespace suture::sims {
 namespace {
@@ -23,7 +22,7 @@ struct Part {
   }
 };
 
-/// Its triangles, each with corners of its own: a winding needs no more.
+/// A part's triangles, each with corners of its own: a winding needs no more.
 Triangles triangles_of(const Triangles& surface, const Components& parts, std::uint32_t part) {
   Triangles own;
   for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
@@ -36,38 +35,54 @@ Triangles triangles_of(const Triangles& surface, const Components& parts, std::u
   return own;
 }
 
-std::vector<Part> measured(const Triangles& surface, const Components& parts) {
-  const BodyMeasures measures = measure(surface, {parts.of_triangle, parts.count});
-  std::vector<Part> result(parts.count);
+/// All components of a surface, which it keeps a reference to.
+class Parts {
+ public:
+  explicit Parts(const Triangles& surface);
+
+  const Components& components() const { return components_; }
+  /// The part that `own` is in if it is a cavity, or itself.
+  std::uint32_t owner(std::uint32_t own) { return all_[own].volume < 0 ? outer_of(own) : own; }
+
+ private:
+  std::uint32_t outer_of(std::uint32_t own);
+  bool goes_round(std::uint32_t part, const Point& p) {
+    if (!all_[part].inside) all_[part].inside.emplace(triangles_of(surface_, components_, part));
+    return all_[part].inside->winding(p) > 0;
+  }
+
+  const Triangles& surface_;
+  Components components_;
+  std::vector<Part> all_;
+};
+
+Parts::Parts(const Triangles& surface)
+    : surface_(surface), components_(suture::components(surface)), all_(components_.count) {
+  const BodyMeasures measures = measure(surface, {components_.of_triangle, components_.count});
   for (std::uint32_t t = 0; t < surface.triangles.size(); ++t) {
-    Part& part = result[parts.of_triangle[t]];
+    Part& part = all_[components_.of_triangle[t]];
     if (part.first == kNone) {
       part.first = t;
       part.low = part.high = surface.positions[surface.triangles[t][0]];
-      part.volume = measures.volume[parts.of_triangle[t]];
+      part.volume = measures.volume[components_.of_triangle[t]];
     }
     for (const std::uint32_t v : surface.triangles[t]) {
       part.low = part.low.cwiseMin(surface.positions[v]);
       part.high = part.high.cwiseMax(surface.positions[v]);
     }
   }
-  return result;
 }
 
-/// The part that the cavity `own` is in, or itself.
-std::uint32_t outer_of(std::uint32_t own, std::vector<Part>& all, const Triangles& surface,
-                       const Components& parts) {
+std::uint32_t Parts::outer_of(std::uint32_t own) {
   std::uint32_t by_box = own, by_winding = own;
-  const Point& p = surface.positions[surface.triangles[all[own].first][0]];
+  const Point& p = surface_.positions[surface_.triangles[all_[own].first][0]];
   const auto smaller = [&](std::uint32_t part, std::uint32_t than) {
-    return than == own || all[part].volume < all[than].volume;
+    return than == own || all_[part].volume < all_[than].volume;
   };
-  for (std::uint32_t part = 0; part < all.size(); ++part) {
-    if (!(all[part].volume > 0) || !all[part].holds_box_of(all[own])) continue;
+  for (std::uint32_t part = 0; part < all_.size(); ++part) {
+    if (!(all_[part].volume > 0) || !all_[part].holds_box_of(all_[own])) continue;
     if (smaller(part, by_box)) by_box = part;
-    if (!smaller(part, by_winding)) continue;
-    if (!all[part].inside) all[part].inside.emplace(triangles_of(surface, parts, part));
-    if (all[part].inside->winding(p) > 0) by_winding = part;
+    if (smaller(part, by_winding) && goes_round(part, p)) by_winding = part;
   }
   return by_winding != own ? by_winding : by_box;
 }
@@ -75,15 +90,13 @@ std::uint32_t outer_of(std::uint32_t own, std::vector<Part>& all, const Triangle
 }  // namespace
 
 LiquidBodies liquid_bodies(const Triangles& surface) {
-  const Components parts = components(surface);
-  std::vector<Part> all = measured(surface, parts);
-  std::vector<std::uint32_t> owner(parts.count);
-  for (std::uint32_t part = 0; part < parts.count; ++part)
-    owner[part] = all[part].volume < 0 ? outer_of(part, all, surface, parts) : part;
+  Parts parts(surface);
+  std::vector<std::uint32_t> owner(parts.components().count);
+  for (std::uint32_t part = 0; part < owner.size(); ++part) owner[part] = parts.owner(part);
   LiquidBodies bodies;
-  std::vector<std::uint32_t> number(parts.count, kNone);
+  std::vector<std::uint32_t> number(owner.size(), kNone);
   bodies.of_triangle.reserve(surface.triangles.size());
-  for (const std::uint32_t part : parts.of_triangle) {
+  for (const std::uint32_t part : parts.components().of_triangle) {
     std::uint32_t& n = number[owner[part]];
     if (n == kNone) n = static_cast<std::uint32_t>(bodies.count++);
     bodies.of_triangle.push_back(n);

@@ -22,10 +22,12 @@ struct LiquidBodies {
 /// holds its own, and where there is none it is a body of its own. \pre closed, oriented outwards
 LiquidBodies liquid_bodies(const Triangles& surface);
 
-/// By body, exact to rounding; a volume may be negative where the surface is inside-out.
+/// Volumes and areas by body, exact to rounding; a volume may be negative where the surface is
+/// inside-out.
 struct BodyMeasures {
   std::vector<double> volume, area;
 };
+
 /// \pre `bodies` are those of a surface of the same triangles
 BodyMeasures measure(const Triangles& surface, const LiquidBodies& bodies);
 

@@ -20,8 +20,14 @@ std::array<double, 27> values_round(const Liquid& liquid, Slot s) {
   return d;
 }
 
-/// Share of the eighth of the cell on these sides (0 low, 1 high) of its centre.
-double share_of_eighth(const std::array<double, 27>& d, const Index3& side) {
+/// An eighth of a cell, on these sides (0 low, 1 high) of its centre.
+struct Eighth {
+  Slot cell;
+  Index3 side;
+};
+
+/// The liquid fraction of the eighth of a cell on these sides of its centre.
+double fraction_of_eighth(const std::array<double, 27>& d, const Index3& side) {
   double value = 0;
   Point slope = Point::Zero();  // over an eighth's side
   for (int n = 0; n < 8; ++n) {
@@ -42,26 +48,42 @@ double share_of_eighth(const std::array<double, 27>& d, const Index3& side) {
   return std::abs(value) < most ? cut_volume(slope, -value) : value < 0 ? 1 : 0;
 }
 
+/// Adds an eighth to the boxes that it is part of.
+void add_eighth(VolumeFractions& to, const Eighth& eighth, float fraction) {
+  const SparseGrid& grid = *to.grid;
+  const auto& [s, side] = eighth;
+  const auto add = [&](std::vector<float>& boxes, Slot at) {
+    if (at != kNoSlot) boxes[at] += fraction / 8;
+  };
+  add(to.cell, s);
+  std::array<Slot, 3> next;  // the slot whose low face across the axis bounds the eighth
+  for (int a = 0; a < 3; ++a) {
+    next[a] = side[a] == 0 ? s : grid.neighbour(s, a, 1);
+    add(to.face[a], next[a]);
+  }
+  for (int a = 0; a < 3; ++a) {
+    const int b = next_axis(a), c = prev_axis(a);
+    add(to.edge[a], side[c] == 0 || next[b] == kNoSlot ? next[b] : grid.neighbour(next[b], c, 1));
+  }
+}
+
 }  // namespace
 
-std::size_t Shares::memory() const {
+std::size_t VolumeFractions::memory() const {
   std::size_t n = cell.capacity();
   for (int a = 0; a < 3; ++a) n += face[a].capacity() + edge[a].capacity();
   return n * sizeof(float);
 }
 
-Shares liquid_shares(const Liquid& liquid) {
+VolumeFractions volume_fractions(const Liquid& liquid) {
   const SparseGrid& grid = *liquid.grid;
-  Shares shares;
-  shares.grid = &grid;
-  shares.cell.assign(grid.size(), 0);
+  VolumeFractions fractions;
+  fractions.grid = liquid.grid;
+  fractions.cell.assign(grid.size(), 0);
   for (int a = 0; a < 3; ++a) {
-    shares.face[a].assign(grid.size(), 0);
-    shares.edge[a].assign(grid.size(), 0);
+    fractions.face[a].assign(grid.size(), 0);
+    fractions.edge[a].assign(grid.size(), 0);
   }
-  const auto add = [](std::vector<float>& to, Slot s, float share) {
-    if (s != kNoSlot) to[s] += share / 8;
-  };
   for (Slot s = 0; s < grid.size(); ++s) {
     const double own = liquid.distance[s];
     const bool near = std::abs(own) < kNear * grid.h();  // further than any of the 27
@@ -70,23 +92,11 @@ Shares liquid_shares(const Liquid& liquid) {
     if (near) d = values_round(liquid, s);
     for (int n = 0; n < 8; ++n) {
       const Index3 side{n >> 2 & 1, n >> 1 & 1, n & 1};
-      const auto share = near ? static_cast<float>(share_of_eighth(d, side)) : 1.0f;
-      if (share < kLeastShare) continue;
-      add(shares.cell, s, share);
-      std::array<Slot, 3> next;  // the slot whose low face across the axis bounds the eighth
-      for (int a = 0; a < 3; ++a) {
-        next[a] = side[a] == 0 ? s : grid.neighbour(s, a, 1);
-        add(shares.face[a], next[a], share);
-      }
-      for (int a = 0; a < 3; ++a) {
-        const int b = next_axis(a), c = prev_axis(a);
-        const Slot at =
-            side[c] == 0 || next[b] == kNoSlot ? next[b] : grid.neighbour(next[b], c, 1);
-        add(shares.edge[a], at, share);
-      }
+      const auto fraction = near ? static_cast<float>(fraction_of_eighth(d, side)) : 1.0f;
+      if (fraction >= kLeastFraction) add_eighth(fractions, {s, side}, fraction);
     }
   }
-  return shares;
+  return fractions;
 }
 
 }  // namespace suture::sims

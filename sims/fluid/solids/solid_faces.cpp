@@ -1,11 +1,10 @@
-// What solids leave open of the faces of the physics grid.
+// What solids leave open of the faces of the physics grid, and how they move there.
+#include "sims/fluid/solids/solid_faces.h"
+
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <utility>
-
-#include "sims/fluid/solids/solids.h"
 
 namespace suture::sims {
 namespace {
@@ -16,7 +15,7 @@ constexpr int kNodes = kSide + 1;
 /// How many roundings of the coordinates a distance may be off.
 constexpr double kRoundings = 16;
 
-/// Of a triangle, the part where a value that is linear on it is above 0.
+/// The part of a triangle where a value that is linear on it is above 0.
 double open_part(double a, double b, double c) {
   const int open = (a > 0 ? 1 : 0) + (b > 0 ? 1 : 0) + (c > 0 ? 1 : 0);
   if (open == 0 || open == 3) return open == 3 ? 1 : 0;
@@ -30,13 +29,13 @@ double open_part(double a, double b, double c) {
   return alone ? cut : 1 - cut;
 }
 
-/// Of a face, from its corners in turn and its middle: the four triangles round the middle. With
-/// the corners alone a face in the corner of two walls, of which three corners are on them, is half
-/// open.
-double open_share(const std::array<double, 4>& d, double middle) {
-  double share = 0;
-  for (int n = 0; n < 4; ++n) share += open_part(d[n], d[(n + 1) % 4], middle) / 4;
-  return share < kLeastOpen ? 0 : share;
+/// The open part of a face, from its corners in turn and its middle: of the four triangles round
+/// the middle. With the corners alone a face in the corner of two walls, of which three corners are
+/// on them, is half open.
+double open_fraction(const std::array<double, 4>& d, double middle) {
+  double fraction = 0;
+  for (int n = 0; n < 4; ++n) fraction += open_part(d[n], d[(n + 1) % 4], middle) / 4;
+  return fraction < kLeastOpen ? 0 : fraction;
 }
 
 /// The distances at the corners of a block's cells.
@@ -65,7 +64,8 @@ class Nodes {
     return least <= 0;
   }
 
-  /// Of the face across `axis` on the low side of a cell, by its place in the block.
+  /// The open fraction of the face across `axis` on the low side of a cell, whose place in the
+  /// block is `in`.
   double open(const Index3& in, int axis, Slot s) const {
     const int b = axis == 0 ? 1 : 0, c = axis == 2 ? 1 : 2;
     std::array<double, 4> d;
@@ -78,7 +78,7 @@ class Nodes {
     const auto [least, most] = std::minmax_element(d.begin(), d.end());
     if (*least > 0) return 1;
     if (*most < 0) return 0;
-    return open_share(d, distance(grid_.face(grid_.cell(s), axis)));
+    return open_fraction(d, distance(grid_.face(grid_.cell(s), axis)));
   }
 
  private:
@@ -94,6 +94,12 @@ class Nodes {
 };
 
 }  // namespace
+
+std::size_t SolidFaces::memory() const {
+  std::size_t bytes = 0;
+  for (int a = 0; a < 3; ++a) bytes += (open[a].size() + velocity[a].size()) * sizeof(double);
+  return bytes;
+}
 
 SolidFaces faces_of(const Solids& solids, const SparseGrid& grid, double t) {
   SolidFaces faces;

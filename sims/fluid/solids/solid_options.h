@@ -17,15 +17,15 @@ struct SolidOptions {
   SolidMotion motion;
 };
 
-/// \throw InvalidInput as Solid's makers
-inline Solid make_solid(const SolidOptions& s, const Point& origin, double h) {
+/// `frame`: of the physics grid, which a mesh is seen by. \throw InvalidInput as Solid's makers
+inline Solid make_solid(const SolidOptions& s, const GridFrame& frame) {
   switch (s.kind) {
     case SolidKind::box:
       return Solid::box(s.box, s.motion);
     case SolidKind::ball:
       return Solid::ball(s.centre, s.radius, s.motion);
     case SolidKind::mesh:
-      return Solid::mesh(s.surface, origin, h, s.motion);
+      return Solid::mesh(s.surface, frame, s.motion);
     case SolidKind::container:
       break;
   }

@@ -8,7 +8,7 @@
 
 #include "kernel/errors.h"
 #include "kernel/measure/signed_distance.h"
-#include "sims/fluid/liquid/liquid.h"
+#include "sims/fluid/grid/sampled_surface.h"
 
 namespace suture::sims {
 
@@ -55,12 +55,12 @@ struct MeshShape : Solid::Shape {
   Box bounds;
   double band;
 
-  MeshShape(const Triangles& surface, const Point& origin, double h)
-      : bounds(bounding_box(surface.positions)), band(kSolidBand * h) {
+  MeshShape(const Triangles& surface, const GridFrame& frame)
+      : bounds(bounding_box(surface.positions)), band(kSolidBand * frame.h) {
     const SignedDistance exact(surface);
-    const LiquidCells cells = find_liquid(
-        surface, [&](const Point& p) { return exact.at(p); }, origin - Point::Constant(h / 2), h,
-        kSolidBand);
+    const SampledSurface cells = sample_surface(
+        surface, [&](const Point& p) { return exact.at(p); },
+        {frame.origin - Point::Constant(frame.h / 2), frame.h}, kSolidBand);
     nodes = grid_round(cells, kSolidBand);
     values.assign(nodes.size(), band);
     for (Slot s = 0; s < nodes.size(); ++s) {
@@ -69,7 +69,7 @@ struct MeshShape : Solid::Shape {
       values[s] = cells.near[there] != 0 ? std::clamp(cells.distance[there], -band, band)
                                          : std::copysign(band, cells.distance[there]);
     }
-    for (const LiquidCells::Run& run : cells.deep)
+    for (const SampledSurface::Run& run : cells.deep)
       for (Index3 c = run.first; c[2] < run.first[2] + run.count; ++c[2])
         values[nodes.find(c)] = -band;
   }
@@ -104,13 +104,11 @@ struct MeshShape : Solid::Shape {
   }
 };
 
-void require(bool fine, const char* what) {
-  if (!fine) throw InvalidInput(std::string("solid: ") + what);
-}
+[[noreturn]] void refuse(const char* what) { throw InvalidInput(std::string("solid: ") + what); }
 
-void require_box(const Box& box) {
-  require(box.low.allFinite() && box.high.allFinite() && (box.high - box.low).minCoeff() > 0,
-          "a box needs finite corners, the high one above the low one on each axis");
+void check(const Box& box) {
+  if (!box.low.allFinite() || !box.high.allFinite() || !((box.high - box.low).minCoeff() > 0))
+    refuse("a box needs finite corners, the high one above the low one on each axis");
 }
 
 }  // namespace
@@ -130,31 +128,30 @@ double SolidMotion::fastest() const {
 
 Solid::Solid(std::shared_ptr<const Shape> shape, const SolidMotion& motion)
     : shape_(std::move(shape)), motion_(motion) {
-  require(motion.velocity.allFinite() && motion.amplitude.allFinite() &&
-              std::isfinite(motion.period) && motion.period > 0,
-          "a motion needs finite numbers and a period above 0");
+  if (!motion.velocity.allFinite() || !motion.amplitude.allFinite() ||
+      !std::isfinite(motion.period) || !(motion.period > 0))
+    refuse("a motion needs finite numbers and a period above 0");
 }
 
 Solid Solid::container(const Box& inside, const SolidMotion& motion) {
-  require_box(inside);
+  check(inside);
   return {std::make_shared<BoxShape>(inside, -1), motion};
 }
 
 Solid Solid::box(const Box& box, const SolidMotion& motion) {
-  require_box(box);
+  check(box);
   return {std::make_shared<BoxShape>(box, 1), motion};
 }
 
 Solid Solid::ball(const Point& centre, double radius, const SolidMotion& motion) {
-  require(centre.allFinite() && std::isfinite(radius) && radius > 0,
-          "a ball needs a finite centre and a finite radius above 0");
+  if (!centre.allFinite() || !std::isfinite(radius) || !(radius > 0))
+    refuse("a ball needs a finite centre and a finite radius above 0");
   return {std::make_shared<BallShape>(centre, radius), motion};
 }
 
-Solid Solid::mesh(const Triangles& surface, const Point& origin, double h,
-                  const SolidMotion& motion) {
-  require(!surface.triangles.empty(), "a mesh needs a triangle");
-  return {std::make_shared<MeshShape>(surface, origin, h), motion};
+Solid Solid::mesh(const Triangles& surface, const GridFrame& frame, const SolidMotion& motion) {
+  if (surface.triangles.empty()) refuse("a mesh needs a triangle");
+  return {std::make_shared<MeshShape>(surface, frame), motion};
 }
 
 double Solid::distance(const Point& p, double t) const {
@@ -203,12 +200,6 @@ Point Solids::normal(const Point& p, double t, double step) const {
     slope[a] = distance(high, t) - distance(low, t);
   }
   return slope.stableNorm() > 0 ? slope.stableNormalized() : slope;
-}
-
-std::size_t SolidFaces::memory() const {
-  std::size_t bytes = 0;
-  for (int a = 0; a < 3; ++a) bytes += (open[a].size() + velocity[a].size()) * sizeof(double);
-  return bytes;
 }
 
 }  // namespace suture::sims

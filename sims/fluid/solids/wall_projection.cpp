@@ -33,7 +33,7 @@ Point across(const Point& v, const Point& normal) { return normal * v.dot(normal
 
 }  // namespace
 
-void constrain(MacVelocity& velocity, const SolidFaces& faces, const Solids& solids, double t) {
+void constrain(MacVelocity& velocity, const SolidFaces& faces, const SolidsAt& solids) {
   if (!faces.any()) return;
   const SparseGrid& grid = *velocity.grid;
   const double h = grid.h();
@@ -43,8 +43,8 @@ void constrain(MacVelocity& velocity, const SolidFaces& faces, const Solids& sol
     for (Slot s = 0; s < grid.size(); ++s) {
       if (faces.open[axis][s] > 0 || velocity.known[axis][s] == 0) continue;
       const Point p = grid.face(grid.cell(s), axis);
-      const double depth = std::max(0.0, -solids.distance(p, t));
-      const Point normal = solids.normal(p, t, kNormalStep * h), own = solids.velocity(p, t);
+      const double depth = std::max(0.0, -solids.distance(p));
+      const Point normal = solids.normal(p, kNormalStep * h), own = solids.velocity(p);
       double u = own[axis];
       if (depth <= kDeepest * h) {
         // Across the wall linear from the liquid through the solid's at its surface. The place in
@@ -61,8 +61,7 @@ void constrain(MacVelocity& velocity, const SolidFaces& faces, const Solids& sol
       velocity.u[axis][where[axis][n]] = changed[axis][n];
 }
 
-Point kept_out(const Solids& solids, const Point& p, const Point& v, double t, double dt,
-               double length) {
+Point WallProjection::of_point(const Point& p, const Point& v) const {
   if (!solids.any() || !(dt > 0)) return v;
   const double way = (v.norm() + solids.fastest()) * dt;
   if (solids.distance(p, t) > way) return v;
@@ -87,8 +86,7 @@ Point kept_out(const Solids& solids, const Point& p, const Point& v, double t, d
   return (q - p) / dt;
 }
 
-KeptBody kept_out(const Solids& solids, const std::vector<Point>& body, const Point& v, double t,
-                  double dt, double length) {
+BodyVelocity WallProjection::of_body(const std::vector<Point>& body, const Point& v) const {
   if (!solids.any() || !(dt > 0) || body.empty()) return {v};
   const int parts = parts_of((v.norm() + solids.fastest()) * dt, length);
   Point gone = Point::Zero();

@@ -20,7 +20,7 @@ using FlowFormula = std::function<Point(const Point&)>;
 
 /// A grid over the cube of `half` cells each way from 0, where D is the formula's.
 struct Blob {
-  std::unique_ptr<SparseGrid> grid;
+  SharedGrid grid;
   Liquid liquid;
   SolidFaces solids;
 
@@ -29,8 +29,7 @@ struct Blob {
     for (int i = -half; i < half; ++i)
       for (int j = -half; j < half; ++j)
         for (int k = -half; k < half; ++k) cells.push_back({i, j, k});
-    grid = std::make_unique<SparseGrid>(Point::Zero(), h, cells);
-    liquid.grid = grid.get();
+    grid = liquid.grid = shared_grid(Point::Zero(), h, cells);
     for (Slot s = 0; s < grid->size(); ++s)
       liquid.distance.push_back(
           std::clamp(distance(grid->centre(grid->cell(s))), -kFar * h, kFar * h));
@@ -56,7 +55,7 @@ struct Blob {
   }
 
   MacVelocity velocity(const FlowFormula& flow) const {
-    MacVelocity v(*grid);
+    MacVelocity v(grid);
     for (int a = 0; a < 3; ++a)
       for (Slot s = 0; s < grid->size(); ++s) {
         v.u[a][s] = flow(grid->face(grid->cell(s), a))[a];
@@ -66,16 +65,17 @@ struct Blob {
   }
 };
 
-/// Sums over the faces' shares of liquid that solids leave open.
+/// Sums over the faces' fractions of liquid that solids leave open.
 struct Moments {
   double mass = 0, energy = 0;
   Point momentum = Point::Zero(), spin = Point::Zero();
 };
-inline Moments moments(const MacVelocity& v, const Shares& shares, const SolidFaces& solids = {}) {
+inline Moments moments(const MacVelocity& v, const VolumeFractions& fractions,
+                       const SolidFaces& solids = {}) {
   Moments m;
   for (int a = 0; a < 3; ++a)
     for (Slot s = 0; s < v.grid->size(); ++s) {
-      const double w = shares.face[a][s] * solids.open_at(a, s);
+      const double w = fractions.face[a][s] * solids.open_at(a, s);
       if (w == 0) continue;
       Point u = Point::Zero();
       u[a] = v.u[a][s];
@@ -87,13 +87,13 @@ inline Moments moments(const MacVelocity& v, const Shares& shares, const SolidFa
   return m;
 }
 
-/// The part of `mode` in v, by the faces' shares of liquid that solids leave open.
-inline double part_of(const MacVelocity& v, const MacVelocity& mode, const Shares& shares,
-                      const SolidFaces& solids = {}) {
+/// The part of `mode` in v, by the faces' fractions of liquid that solids leave open.
+inline double part_of(const MacVelocity& v, const MacVelocity& mode,
+                      const VolumeFractions& fractions, const SolidFaces& solids = {}) {
   double sum = 0, all = 0;
   for (int a = 0; a < 3; ++a)
     for (Slot s = 0; s < v.grid->size(); ++s) {
-      const double w = shares.face[a][s] * solids.open_at(a, s);
+      const double w = fractions.face[a][s] * solids.open_at(a, s);
       if (w == 0) continue;
       sum += w * v.u[a][s] * mode.u[a][s];
       all += w * mode.u[a][s] * mode.u[a][s];
@@ -102,12 +102,12 @@ inline double part_of(const MacVelocity& v, const MacVelocity& mode, const Share
 }
 
 /// Root of the mean over the liquid's mass of the squared difference.
-inline double difference(const MacVelocity& v, const MacVelocity& other, const Shares& shares,
-                         const SolidFaces& solids = {}) {
+inline double difference(const MacVelocity& v, const MacVelocity& other,
+                         const VolumeFractions& fractions, const SolidFaces& solids = {}) {
   double sum = 0, mass = 0;
   for (int a = 0; a < 3; ++a)
     for (Slot s = 0; s < v.grid->size(); ++s) {
-      const double w = shares.face[a][s] * solids.open_at(a, s);
+      const double w = fractions.face[a][s] * solids.open_at(a, s);
       if (w == 0) continue;
       sum += w * std::pow(v.u[a][s] - other.u[a][s], 2);
       mass += w / 3;

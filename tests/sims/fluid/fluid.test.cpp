@@ -2,6 +2,7 @@
 
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <map>
 #include <numbers>
 
 #include "kernel/audit.h"
@@ -173,4 +174,39 @@ TEST_CASE("options that cannot work are refused with what is wrong") {
   refused([](FluidOptions& o) { o.gravity[1] = std::nan(""); }, "gravity");
   refused([](FluidOptions& o) { o.cfl = 0; }, "cfl");
   refused([](FluidOptions& o) { o.solids = {container({1, 0, 0}, {0, 1, 1})}; }, "box");
+}
+
+TEST_CASE("solves that run out of iterations are told of by module and step, and the run goes on") {
+  Tank tank(0.5, 0.125);
+  tank.water = box({.centre = {0.2, 0.25, 0.25}, .size = {0.4, 0.5, 0.5}, .edge_length = 0.125});
+  tank.options.viscosity = 10;
+  tank.options.viscoelasticity = ElasticOptions{.modulus = 1e6};
+  const auto unconverged = [&](int most_iterations) {
+    tank.options.pressure.most_iterations = most_iterations;
+    tank.options.viscous_solver.most_iterations = most_iterations;
+    Fluid fluid(tank.options, at_rest());
+    const auto surface = markers(tank.water, 0.125);
+    std::map<std::string, std::size_t> counts;
+    std::size_t of_steps = 0, of_modules = 0;
+    for (int i = 0; i < 3; ++i) {
+      fluid.step(*surface, 0.01);
+      of_steps += fluid.last().unconverged;
+    }
+    for (const ModuleCost& cost : fluid.costs()) {
+      counts[cost.name] = cost.unconverged;
+      of_modules += cost.unconverged;
+    }
+    CHECK(of_steps == of_modules);
+    CHECK(std::isfinite(largest_velocity(fluid, surface->surface())));
+    return counts;
+  };
+  auto one = unconverged(1);
+  CHECK(one["pressure"] == 3);
+  CHECK(one["viscosity"] > 0);
+  CHECK(one["viscoelasticity"] > 0);
+  CHECK(one["advection"] == 0);
+  for (const auto& [name, count] : unconverged(1000)) {
+    CAPTURE(name);
+    CHECK(count == 0);
+  }
 }

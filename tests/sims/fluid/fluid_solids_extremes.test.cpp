@@ -79,7 +79,8 @@ void tells_of_nothing(const Fluid& fluid) {
 double deepest_in_solid(const Watched& w, const FluidOptions& o) {
   double deepest = 0;
   Solids solids;
-  for (const SolidOptions& s : o.solids) solids.all.push_back(make_solid(s, o.origin, o.cell_size));
+  for (const SolidOptions& s : o.solids)
+    solids.all.push_back(make_solid(s, {o.origin, o.cell_size}));
   for (const Point& p : w.surface->surface().positions)
     deepest = std::max(deepest, -solids.distance(p, w.fluid.time()));
   return deepest / o.cell_size;
@@ -156,31 +157,5 @@ TEST_CASE("solids may overlap the liquid, or hold all of it") {
     CHECK(deep < c.deep);
     CHECK(w.most_energy < 1.1 * kEnergy);
     CHECK(w.left() < 1.01);
-  }
-}
-
-TEST_CASE("a body is kept out of solids as one, and is told where they leave it no way") {
-  const Solids floor{{Solid::container({{0, 0, 0}, {1, 1, 1}})}};
-  const std::vector<Point> body{{0.5, 0.02, 0.5}, {0.5, 0.1, 0.5}, {0.6, 0.05, 0.5}};
-  const KeptBody landed = kept_out(floor, body, {1, -3, 0}, 0, 0.1, 0.1);
-  CHECK((landed.velocity - Point(1, -0.2, 0)).norm() < 1e-12);
-  CHECK_FALSE(landed.squeezed);
-  const KeptBody cornered = kept_out(floor, body, {9, -3, 0}, 0, 0.1, 0.1);
-  CHECK((cornered.velocity - Point(4, -0.2, 0)).norm() < 1e-12);
-  CHECK(kept_out(floor, body, {0, 2, 0}, 0, 0.1, 0.1).velocity == Point(0, 2, 0));
-  SolidMotion down;
-  down.velocity = {0, -1, 0};
-  const Solids press{{floor.all[0], Solid::box({{-1, 0.12, -1}, {2, 9, 2}}, down)}};
-  CHECK(kept_out(press, body, {0, 0, 0}, 0, 0.1, 0.1).squeezed);
-}
-
-TEST_CASE("a point that solids leave no way ends half way between their sides") {
-  SolidMotion down;
-  down.velocity = {0, -1, 0};
-  const Solids press{
-      {Solid::container({{0, 0, 0}, {1, 1, 1}}), Solid::box({{-1, 0.02, -1}, {2, 9, 2}}, down)}};
-  for (const double y : {0.0, 0.01, 0.02}) {  // the press is at -0.08 by then
-    const Point v = kept_out(press, {0.5, y, 0.5}, Point::Zero(), 0, 0.1, 0.1);
-    CHECK(y + 0.1 * v[1] == Approx(-0.04).margin(1e-9));
   }
 }

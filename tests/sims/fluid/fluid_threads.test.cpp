@@ -1,8 +1,7 @@
 // The fluid on any number of threads.
-#include <tbb/global_control.h>
-
 #include <catch2/catch.hpp>
 
+#include "kernel/parallel.h"
 #include "kernel/shapes/shapes.h"
 #include "sims/baselines/level_set/level_set.h"
 #include "sims/driver/driver.h"
@@ -31,8 +30,7 @@ std::unique_ptr<SurfaceTracker> tracked(bool mesh, const Triangles& liquid, doub
 }
 
 Triangles dam_after(int frames, int threads, bool mesh) {
-  const tbb::global_control most(tbb::global_control::max_allowed_parallelism,
-                                 static_cast<std::size_t>(threads));
+  const ThreadLimit most(threads);
   FluidOptions o = tank();
   o.volume_control.emplace();
   o.viscosity = 0.1;

@@ -8,8 +8,8 @@
 #include "kernel/shapes/shapes.h"
 #include "sims/fluid/grid/mac_velocity.h"
 #include "sims/fluid/liquid/liquid.h"
-#include "sims/fluid/pressure.h"
 #include "sims/fluid/solids/solids.h"
+#include "sims/fluid/velocity/pressure.h"
 
 namespace suture {
 
@@ -39,21 +39,21 @@ inline Triangles block_of_liquid(const Point& low, const Point& high) {
 struct LiquidScene {
   Triangles surface;
   SignedDistance exact;
-  LiquidCells cells;
-  SparseGrid grid;
+  SampledSurface cells;
   Solids solids;
   Liquid liquid;
+  const SparseGrid& grid;
   SolidFaces faces;
 
   LiquidScene(Triangles s, double h, Solids walls = {}, const Point& origin = Point::Zero(),
               int band = 3)
       : surface(std::move(s)),
         exact(surface),
-        cells(find_liquid(
-            surface, [this](const Point& p) { return exact.at(p); }, origin, h)),
-        grid(grid_round(cells, band)),
+        cells(sample_surface(surface, [this](const Point& p) { return exact.at(p); }, {origin, h})),
         solids(std::move(walls)),
-        liquid(liquid_on(grid, cells, surface, solids)),
+        liquid(liquid_on(std::make_shared<const SparseGrid>(grid_round(cells, band)), cells,
+                         surface, SolidsAt(solids, 0))),
+        grid(*liquid.grid),
         faces(faces_of(solids, grid, 0)) {}
   LiquidScene(const LiquidScene&) = delete;
   LiquidScene& operator=(const LiquidScene&) = delete;
@@ -62,7 +62,7 @@ struct LiquidScene {
     return {liquid, faces, density, dt, nullptr, nullptr};
   }
   MacVelocity velocity(const std::function<Point(const Point&)>& field) const {
-    MacVelocity v(grid);
+    MacVelocity v(liquid.grid);
     for (int a = 0; a < 3; ++a)
       for (Slot s = 0; s < grid.size(); ++s) v.u[a][s] = field(grid.face(grid.cell(s), a))[a];
     return v;

@@ -1,10 +1,11 @@
+#include "sims/fluid/effects/volume_control.h"
+
 #include <catch2/catch.hpp>
 
 #include "kernel/errors.h"
 #include "kernel/measure/measures.h"
 #include "kernel/shapes/shapes.h"
 #include "kernel/shapes/transform.h"
-#include "sims/fluid/effects/volume_control.h"
 #include "sims/fluid/liquid/component_tracking.h"
 #include "surgery/tracker.h"
 
@@ -18,13 +19,6 @@ Triangles ball(const Point& centre, double radius, double edge = 0.1) {
 }
 
 Triangles together(const std::vector<Triangles>& surfaces) { return merged(surfaces); }
-
-/// Inside out: what bounds a bubble.
-Triangles bubble(const Point& centre, double radius, double edge = 0.1) {
-  Triangles s = ball(centre, radius, edge);
-  for (Triangle& t : s.triangles) std::swap(t[1], t[2]);
-  return s;
-}
 
 double total_target(const VolumeControl& control) {
   double sum = 0;
@@ -49,21 +43,6 @@ SurgeryReport remodel(Tracker& tracker, VolumeControl& control) {
 }
 
 }  // namespace
-
-TEST_CASE("a bubble belongs to the drop that it is in, and a drop in the bubble to nobody") {
-  const Triangles s =
-      together({bubble({0, 0, 0}, 0.6), ball({0, 0, 0}, 1), ball({0.1, 0, 0}, 0.3),
-                bubble({5, 0.1, 0}, 0.2), bubble({5, -0.4, 0}, 0.2), ball({5, 0, 0}, 1)});
-  const LiquidBodies bodies = liquid_bodies(s);
-  REQUIRE(bodies.count == 3);
-  const BodyMeasures m = measure(s, bodies);
-  const auto of = [](const Triangles& t) { return volume(t); };
-  CHECK(m.volume[0] == Approx(of(ball({0, 0, 0}, 1)) - of(ball({0, 0, 0}, 0.6))).epsilon(1e-13));
-  CHECK(m.volume[1] == Approx(of(ball({0.1, 0, 0}, 0.3))).epsilon(1e-13));
-  CHECK(m.volume[2] ==
-        Approx(of(ball({5, 0, 0}, 1)) - 2 * of(ball({5, 0, 0}, 0.2))).epsilon(1e-13));
-  CHECK(m.area[1] == Approx(area(ball({0.1, 0, 0}, 0.3))).epsilon(1e-13));
-}
 
 TEST_CASE("two drops that merge hand their targets on") {
   Tracker tracker(together({ball({-1.1, 0, 0}, 1), ball({1.1, 0, 0}, 1), ball({0, 4, 0}, 0.5)}),

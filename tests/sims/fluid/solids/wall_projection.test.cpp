@@ -14,9 +14,9 @@ namespace {
 /// Projected, extrapolated and constrained.
 MacVelocity slid(const LiquidScene& scene, const std::function<Point(const Point&)>& field) {
   MacVelocity v = scene.velocity(field);
-  project(v, scene.input());
+  CHECK(project(v, scene.input()).converged());
   extrapolate(v, 3);
-  constrain(v, scene.faces, scene.solids, 0);
+  constrain(v, scene.faces, SolidsAt(scene.solids, 0));
   return v;
 }
 
@@ -49,7 +49,7 @@ TEST_CASE("whatever flows beside a wall, across it the velocity at its surface i
       return {x, y, z};
     });
     for (auto& known : v.known) known.assign(known.size(), 1);
-    constrain(v, scene.faces, scene.solids, 0);
+    constrain(v, scene.faces, SolidsAt(scene.solids, 0));
     for (int n = 0; n < 50; ++n) {
       const double x = random.uniform(0.1, 0.7), y = random.uniform(0.1, 0.7);
       CHECK(v.at({x, y, floor})[2] == Approx(0.7).margin(1e-12));
@@ -111,25 +111,51 @@ TEST_CASE("a point outside is kept outside, one inside comes out, and else nothi
     Point v{random.uniform(-5, 5), random.uniform(-5, 5), random.uniform(-5, 5)};
     const double dt = 0.1;
     if (solids.distance(p, 0) < -0.1) continue;
-    const Point kept = kept_out(solids, p, v, 0, dt, 0.1);
+    const Point kept = WallProjection{solids, 0, dt, 0.1}.of_point(p, v);
     CHECK(solids.distance(p + kept * dt, 0) > -1e-7);  // -3e-9 measured
     if (kept == v) continue;
     ++changed;
   }
   CHECK(changed > 200);
-  CHECK(kept_out(solids, {1.8, 0, 0}, {0.1, 3, 0}, 0, 0.1, 0.1) == Point(0.1, 3, 0));
-  const Point along = kept_out(solids, {1.95, 0, 0}, {2, 3, -1}, 0, 0.1, 0.1);
+  CHECK(WallProjection{solids, 0, 0.1, 0.1}.of_point({1.8, 0, 0}, {0.1, 3, 0}) == Point(0.1, 3, 0));
+  const Point along = WallProjection{solids, 0, 0.1, 0.1}.of_point({1.95, 0, 0}, {2, 3, -1});
   CHECK((along - Point(0.5, 3, -1)).norm() < 1e-9);
-  CHECK(kept_out({}, {0, 0, 0}, {1, 2, 3}, 0, 1, 1) == Point(1, 2, 3));
+  CHECK(WallProjection{{}, 0, 1, 1}.of_point({0, 0, 0}, {1, 2, 3}) == Point(1, 2, 3));
 }
 
 TEST_CASE("a fast point does not jump a thin wall, and a moving one carries it along") {
   Solids plate{{Solid::box({{-0.05, -9, -9}, {0.05, 9, 9}})}};
-  const Point v = kept_out(plate, {-0.4, 0, 0}, {10, 1, 0}, 0, 0.1, 0.1);
+  const Point v = WallProjection{plate, 0, 0.1, 0.1}.of_point({-0.4, 0, 0}, {10, 1, 0});
   CHECK(-0.4 + 0.1 * v[0] <= -0.05 + 1e-9);
   CHECK(v[1] == Approx(1));
   SolidMotion motion;
   motion.velocity = Point(2, 0, 0);
   Solids bar{{Solid::box({{-1, -9, -9}, {0, 9, 9}}, motion)}};
-  CHECK(kept_out(bar, {0.01, 0, 0}, {0, 1, 0}, 0, 0.1, 0.1)[0] == Approx(1.9));
+  CHECK(WallProjection{bar, 0, 0.1, 0.1}.of_point({0.01, 0, 0}, {0, 1, 0})[0] == Approx(1.9));
+}
+
+TEST_CASE("a body is kept out of solids as one, and is told where they leave it no way") {
+  const Solids floor{{Solid::container({{0, 0, 0}, {1, 1, 1}})}};
+  const std::vector<Point> body{{0.5, 0.02, 0.5}, {0.5, 0.1, 0.5}, {0.6, 0.05, 0.5}};
+  const BodyVelocity landed = WallProjection{floor, 0, 0.1, 0.1}.of_body(body, {1, -3, 0});
+  CHECK((landed.velocity - Point(1, -0.2, 0)).norm() < 1e-12);
+  CHECK_FALSE(landed.squeezed);
+  const BodyVelocity cornered = WallProjection{floor, 0, 0.1, 0.1}.of_body(body, {9, -3, 0});
+  CHECK((cornered.velocity - Point(4, -0.2, 0)).norm() < 1e-12);
+  CHECK(WallProjection{floor, 0, 0.1, 0.1}.of_body(body, {0, 2, 0}).velocity == Point(0, 2, 0));
+  SolidMotion down;
+  down.velocity = {0, -1, 0};
+  const Solids press{{floor.all[0], Solid::box({{-1, 0.12, -1}, {2, 9, 2}}, down)}};
+  CHECK(WallProjection{press, 0, 0.1, 0.1}.of_body(body, {0, 0, 0}).squeezed);
+}
+
+TEST_CASE("a point that solids leave no way ends half way between their sides") {
+  SolidMotion down;
+  down.velocity = {0, -1, 0};
+  const Solids press{
+      {Solid::container({{0, 0, 0}, {1, 1, 1}}), Solid::box({{-1, 0.02, -1}, {2, 9, 2}}, down)}};
+  for (const double y : {0.0, 0.01, 0.02}) {  // the press is at -0.08 by then
+    const Point v = WallProjection{press, 0, 0.1, 0.1}.of_point({0.5, y, 0.5}, Point::Zero());
+    CHECK(y + 0.1 * v[1] == Approx(-0.04).margin(1e-9));
+  }
 }
