@@ -1,0 +1,43 @@
+#!/usr/bin/env bash
+# Installs a finished build into WORK, builds the examples against it, by CMake and one by pkg-config,
+# and runs them.
+# usage: installed.sh BUILD WORK CMAKE-ARGUMENT...
+set -euo pipefail
+here=$(cd "$(dirname "$0")" && pwd)
+build=$1 work=$2
+shift 2
+
+rm -rf "$work/moved" "$work/prefix" "$work/out"
+cmake --install "$build" --prefix "$work/prefix" >/dev/null
+mv "$work/prefix" "$work/moved"  # the package says nowhere where it was installed
+! grep -rlI --include='*.cmake' --include='*.pc' "$work/prefix" "$work/moved" ||
+  { echo "the package names the folder that it was installed to"; exit 1; }
+
+# Headers reach one another under suture/, and each is there.
+cd "$work/moved/include"
+grep -rhoE '#include "[^"]+"' . | sort -u | while read -r _ header; do
+  header=${header//\"/}
+  [ -f "$header" ] || { echo "installed headers include $header, which is not installed"; exit 1; }
+done
+[ "$(grep -rl '#include "suture/' . | wc -l)" -gt 10 ] || { echo "few headers were installed"; exit 1; }
+
+cmake -S "$here" -B "$work/build" -DCMAKE_PREFIX_PATH="$work/moved" "$@"
+cmake --build "$work/build"
+mkdir -p "$work/out"
+cd "$work"
+for example in two_spheres readme own_velocity read_and_write measure; do
+  echo "== $example"
+  "build/$example"
+done
+[ -s out/union.obj ] && [ -s out/moved.ply ]
+
+if command -v pkg-config >/dev/null; then
+  export PKG_CONFIG_PATH=$work/moved/lib/pkgconfig:$(dirname "$(find "$work/moved" -name suture.pc)")
+  compiler=c++
+  for argument; do
+    [[ $argument != -DCMAKE_CXX_COMPILER=* ]] || compiler=${argument#*=}
+  done
+  # shellcheck disable=SC2046
+  "$compiler" -std=c++20 "$here/read_and_write.cpp" -o by_pkg_config $(pkg-config --cflags --libs suture)
+  ./by_pkg_config
+fi

@@ -1,0 +1,2 @@
+// placeholder until the README's program is here
+int main() { return 0; }
