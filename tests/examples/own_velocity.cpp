@@ -21,8 +21,9 @@ int main() {
                                                 suture::translated(ball, {0.7, 0.1, 0})};
   suture::TrackerOptions options;
   options.cell_size = 0.12;
+  options.origin = {0.06, 0, 0};  // no plane of the lattice lies where the balls meet
   suture::Tracker tracker(suture::merged(balls), options);
-  while (tracker.time() < 0.8) {
+  while (tracker.time() < 1.15) {
     tracker.advect(press, 0.1);
     tracker.remodel();
     tracker.improve();

@@ -15,7 +15,8 @@ FRAGMENTS = {"As", "By", "Of", "Than", "Told", "What", "Where", "Which"}
 def places(root):
     """For each count: the places that make it up."""
     everything = functions.functions(root, house.FLOORS)
-    judged = [f for f in everything if not f.file.startswith("predicates/")]
+    judged = [f for f in everything
+              if not f.file.startswith("predicates/") and not f.is_macro() and "~" not in f.name]
     return {
         "many_parameters_percent": [where(f) for f in judged if len(f.parameters) > 3],
         "bool_parameters": [where(f) for f in judged if any(t in BOOLS for t in f.types())],

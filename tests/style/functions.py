@@ -2,8 +2,8 @@
 
 A head stands before a brace or semicolon outside of functions and has a parameter list after a name. A
 declaration and its definition are one function: floor, name and types agree, and the file too in an
-unnamed namespace. Constructors and operators count; lambdas, macros, destructors, and what is defaulted
-or deleted do not.
+unnamed namespace. Constructors, destructors and operators count, and the bodies of macros such as
+TEST_CASE; lambdas, and what is defaulted or deleted, do not.
 """
 import bisect
 import dataclasses
@@ -19,6 +19,9 @@ class Function:
     name: str
     parameters: list  # of strings: type and name, without default
     lines: int  # of the definition, from head to brace; 0 for a declaration
+
+    def is_macro(self):
+        return bool(MACRO.match(self.name.split("::")[-1]))
 
     def types(self):
         """The parameters without their names: what a declaration and its definition share."""
@@ -69,7 +72,7 @@ KEYWORDS = {"int", "double", "float", "bool", "char", "long", "short", "unsigned
 BARE = re.compile(r"^(const|volatile|struct|class|unsigned|signed|long|typename)$")
 NOT_FUNCTIONS = {"if", "for", "while", "switch", "return", "catch", "sizeof", "alignas", "decltype",
                  "noexcept", "static_assert", "requires", "explicit", "throw", "defined", "assert"}
-MACRO = re.compile(r"^[A-Z][A-Z0-9_]+$")
+MACRO = re.compile(r"^([A-Z][A-Z0-9_]+|\w+Macro)$")
 
 
 def head_of(text):
@@ -92,7 +95,7 @@ def head_of(text):
             return None
         elif c == "(" and depth == 0:
             name = re.search(r"([~\w]+)\s*$", text[:i])
-            if not name or name.group(1) in NOT_FUNCTIONS or MACRO.match(name.group(1)) or \
+            if not name or name.group(1) in NOT_FUNCTIONS or \
                     re.match(r"\(\s*[*&\d]", text[i:]) or text.lstrip().startswith("extern "):
                 return None  # a pointer to a function, a variable, an instantiation
             return named(text, i, name.group(1), name.start())
@@ -138,7 +141,7 @@ def functions_of(path, text):
 
     def add(head, first, last):
         match = head_of(head)
-        if match is None or "~" in match[0] or match[0].endswith("Macro"):
+        if match is None or MACRO.match(match[0]) and last == 0:
             return
         name, parameters = match
         classes = [s[1] for s in scopes if s[0] == "class" and s[1]]
