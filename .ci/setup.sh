@@ -8,7 +8,7 @@ packages=(g++ cmake ninja-build ccache mold libcgal-dev libgmp-dev libmpfr-dev l
   libvtk9-dev libegl-dev libglew-dev libpng-dev bzip2 python3 gnuplot-nox
   libopenvdb-dev libboost-dev libboost-iostreams-dev libtbb-dev
   libhypre-dev libopenmpi-dev)
-test_packages=(catch2 clang-format)
+test_packages=(catch2 clang-format pkg-config)
 sanitizer_packages=(clang libclang-rt-dev)  # sanitizers and libFuzzer come with the second
 
 fail() {

@@ -31,13 +31,17 @@ for example in two_spheres readme own_velocity read_and_write measure; do
 done
 [ -s out/union.obj ] && [ -s out/moved.ply ]
 
-if command -v pkg-config >/dev/null; then
-  export PKG_CONFIG_PATH=$work/moved/lib/pkgconfig:$(dirname "$(find "$work/moved" -name suture.pc)")
-  compiler=c++
-  for argument; do
-    [[ $argument != -DCMAKE_CXX_COMPILER=* ]] || compiler=${argument#*=}
-  done
-  # shellcheck disable=SC2046
-  "$compiler" -std=c++20 "$here/read_and_write.cpp" -o by_pkg_config $(pkg-config --cflags --libs suture)
-  ./by_pkg_config
-fi
+# By pkg-config: a program, and all headers at once under the strictest flags, but for those of CGAL.
+command -v pkg-config >/dev/null || { echo "pkg-config is missing; tests/run installs it"; exit 1; }
+PKG_CONFIG_PATH=$(dirname "$(find "$work/moved" -name suture.pc)")
+export PKG_CONFIG_PATH
+compiler=c++
+for argument; do
+  [[ $argument != -DCMAKE_CXX_COMPILER=* ]] || compiler=${argument#*=}
+done
+read -ra cflags <<<"$(pkg-config --cflags suture)"
+read -ra libs <<<"$(pkg-config --libs suture)"
+"$compiler" -std=c++20 "${cflags[@]}" "$here/read_and_write.cpp" -o by_pkg_config "${libs[@]}"
+./by_pkg_config
+(cd "$work/moved/include" && grep -rL CGAL/ suture | sort | sed 's/.*/#include "&"/') >all.cpp
+"$compiler" -std=c++20 -Wall -Wextra -Wpedantic -Wshadow -Werror "${cflags[@]}" -fsyntax-only all.cpp
