@@ -35,11 +35,12 @@ done
 command -v pkg-config >/dev/null || { echo "pkg-config is missing; tests/run installs it"; exit 1; }
 PKG_CONFIG_PATH=$(dirname "$(find "$work/moved" -name suture.pc)")
 export PKG_CONFIG_PATH
-compiler=c++
+compiler=c++ flags=
 for argument; do
   [[ $argument != -DCMAKE_CXX_COMPILER=* ]] || compiler=${argument#*=}
+  [[ $argument != -DCMAKE_CXX_FLAGS* ]] || flags+=" ${argument#*=}"
 done
-read -ra cflags <<<"$(pkg-config --cflags suture)"
+read -ra cflags <<<"$flags $(pkg-config --cflags suture)"
 read -ra libs <<<"$(pkg-config --libs suture)"
 "$compiler" -std=c++20 "${cflags[@]}" "$here/read_and_write.cpp" -o by_pkg_config "${libs[@]}"
 ./by_pkg_config
