@@ -1,25 +1,27 @@
-// The audit: corners bucketed by vertex, so that every edge and every link is met once.
+// Corners are bucketed by vertex, so that the audit meets every edge and every link once.
 #include "kernel/audit.h"
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 #include "kernel/corners.h"
 #include "kernel/errors.h"
+#include "kernel/union_find.h"
 
 namespace suture {
 
 namespace {
 
-// What the walk round one vertex knows of a neighbour. `out` and `in` hold the vertex (plus one)
-// that last had a triangle leave along, or arrive along, the edge to this neighbour: so nothing
-// has to be cleared between vertices.
+// A neighbour of the vertex that is walked round. `out` and `in` hold the vertex, plus one, that
+// last had a triangle leave along, or arrive along, the edge to this neighbour, so that nothing has
+// to be cleared between vertices. `after` is the next neighbour of its last triangle.
 struct Neighbour {
   std::uint32_t out = 0, in = 0, after = 0;
 };
 
-// A place in words, made when a kind of fault is first met.
+// The first place of each kind of fault, in words.
 struct Places {
   std::string non_finite, range, degenerate, duplicate, border, edge, misoriented, vertex;
 };
@@ -34,8 +36,8 @@ std::string name_edge(std::uint32_t a, std::uint32_t b, std::uint32_t triangle) 
          std::to_string(triangle);
 }
 
-// One use of the edge from a vertex to `other`: by a triangle that runs along it away from the
-// vertex, or towards it.
+// One use of the edge from a vertex to `other` by a triangle, which runs along it away from the
+// vertex or towards it.
 struct EdgeUse {
   std::uint32_t other;
   bool outwards;
@@ -135,7 +137,7 @@ class Auditor {
     }
   }
 
-  // Triangles of which v is the lowest vertex, compared by their other two.
+  // Counts the triangles that repeat another, each at its lowest vertex.
   void check_duplicates(std::uint32_t v) {
     std::vector<std::array<std::uint32_t, 3>> others;
     for (const Corner& c : corners_.of(v))
@@ -153,28 +155,25 @@ class Auditor {
   // A vertex is non-manifold where its triangles, joined through shared edges, fall into parts.
   void check_fans(std::uint32_t v) {
     const auto around = corners_.of(v);
+    if (!fans_) fans_.emplace(surface_.positions.size());
     for (const Corner& c : around) {
-      neighbours_[c.next].after = c.next;
-      neighbours_[c.prev].after = c.prev;
+      fans_->separate(c.next);
+      fans_->separate(c.prev);
     }
-    for (const Corner& c : around) neighbours_[root(c.next)].after = root(c.prev);
-    const std::uint32_t whole = root(around[0].next);
+    for (const Corner& c : around) fans_->join_to(c.next, c.prev);
+    const std::uint32_t whole = fans_->root(around[0].next);
     for (const Corner& c : around)
-      if (root(c.next) != whole) {
+      if (fans_->root(c.next) != whole) {
         count(audit_.non_manifold_vertices, places_.vertex,
               [&] { return "vertex " + std::to_string(v); });
         return;
       }
   }
-  std::uint32_t root(std::uint32_t v) {
-    while (neighbours_[v].after != v)
-      v = neighbours_[v].after = neighbours_[neighbours_[v].after].after;
-    return v;
-  }
 
   const Triangles& surface_;
   Corners corners_;
   std::vector<Neighbour> neighbours_;
+  std::optional<UnionFind> fans_;  // is made for the first vertex that is not regular
   std::vector<std::uint8_t> used_;
   Audit audit_;
   Places places_;
@@ -194,20 +193,20 @@ std::vector<std::string> sentences(const Audit& a, const Places& p) {
       {a.indices_out_of_range, "vertex index is out of range", "vertex indices are out of range",
        p.range, "the mesh is incomplete; export it again"},
       {a.degenerate_triangles, "triangle uses a vertex twice", "triangles use a vertex twice",
-       p.degenerate, "--repair drops such triangles"},
+       p.degenerate, "repair drops such triangles"},
       {a.duplicate_triangles, "triangle repeats another", "triangles repeat others", p.duplicate,
-       "--repair drops repeated triangles"},
+       "repair drops repeated triangles"},
       {a.border_edges, "border edge: the surface is open", "border edges: the surface is open",
        p.border,
-       "fill the holes first; --repair welds equal points, which closes the mesh where its "
+       "fill the holes first; repair welds equal points, which closes the mesh where its "
        "triangles merely do not share vertices"},
       {a.non_manifold_edges, "edge has three triangles or more",
        "edges have three triangles or more", p.edge, "separate the surfaces that meet there"},
       {a.misoriented_edges, "edge has two triangles that face opposite ways",
        "edges have two triangles that face opposite ways", p.misoriented,
-       "--repair orients what can be oriented"},
+       "repair orients what can be oriented"},
       {a.non_manifold_vertices, "vertex joins more than one fan of triangles",
-       "vertices join more than one fan of triangles", p.vertex, "--repair splits such vertices"}};
+       "vertices join more than one fan of triangles", p.vertex, "repair splits such vertices"}};
   std::vector<std::string> out;
   for (const Row& r : rows)
     if (r.count > 0)

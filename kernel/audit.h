@@ -1,4 +1,4 @@
-// Is it a closed, oriented, manifold, finite surface? Combinatorial and exact, no tolerance.
+// Whether a surface is closed, oriented, manifold and finite: combinatorial, with no tolerance.
 #pragma once
 
 #include <string>
@@ -8,19 +8,20 @@
 
 namespace suture {
 
-/// Counts of everything that keeps a surface from being a closed oriented 2-manifold, with the
-/// first place of each. An isolated vertex (in no triangle) is counted but is no reason to fail.
+/// Counts of everything that keeps a surface from being a closed oriented 2-manifold, and the first
+/// place of each. An isolated vertex, which is in no triangle, is counted but is no reason to fail.
 struct Audit {
-  std::size_t non_finite_vertices = 0, indices_out_of_range = 0,
-              degenerate_triangles = 0;   ///< degenerate: repeated index
-  std::size_t duplicate_triangles = 0;    ///< same three vertices, any order
-  std::size_t border_edges = 0;           ///< one triangle only
-  std::size_t non_manifold_edges = 0;     ///< three triangles or more
-  std::size_t misoriented_edges = 0;      ///< two triangles that run along it the same way
-  std::size_t non_manifold_vertices = 0;  ///< whose triangles are more than one fan
+  std::size_t non_finite_vertices = 0;
+  std::size_t indices_out_of_range = 0;
+  std::size_t degenerate_triangles = 0;   ///< one vertex stands at two corners
+  std::size_t duplicate_triangles = 0;    ///< another has the same three vertices, in any order
+  std::size_t border_edges = 0;           ///< only one triangle is at the edge
+  std::size_t non_manifold_edges = 0;     ///< three triangles or more are at the edge
+  std::size_t misoriented_edges = 0;      ///< both triangles run along the edge the same way
+  std::size_t non_manifold_vertices = 0;  ///< the triangles round the vertex are several fans
   std::size_t isolated_vertices = 0;
-  std::string first;                ///< the first fault, in words with its element's index
-  std::vector<std::string> faults;  ///< one sentence a kind: count, first place, what to do
+  std::string first;                ///< the first sentence of `faults`
+  std::vector<std::string> faults;  ///< a sentence for each kind: count, first place, what to do
 
   bool closed() const { return border_edges == 0; }
   bool oriented() const { return misoriented_edges == 0; }
@@ -33,12 +34,13 @@ struct Audit {
   }
 };
 
-/// Linear in the size of the surface; safe on any input, whatever its indices and coordinates are.
+/// Audits the surface, whatever its indices and coordinates are. It takes linear time.
 Audit audit(const Triangles& surface);
 
-/// \throw InvalidInput, naming every fault with its count and first place and what to do
-/// (`--repair` where that can help), unless the surface is a closed oriented manifold with at least
-/// one triangle
+/// Refuses all but closed oriented manifolds with at least one triangle. `name` stands for the
+/// surface in the message.
+/// \throw InvalidInput with the count and first place of every fault, and what to do: for some that
+/// is a repair (`repair`)
 void require_closed_manifold(const Triangles& surface, const std::string& name);
 
 }  // namespace suture

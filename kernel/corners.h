@@ -1,4 +1,4 @@
-// The corners of a surface, bucketed by vertex: what audit, measures and repair walk over.
+// The corners of a surface, bucketed by vertex: audit, measures and repair walk over them.
 #pragma once
 
 #include <span>
@@ -19,7 +19,8 @@ inline bool usable(const Triangle& t, std::size_t vertices) {
          t[2] != t[0];
 }
 
-/// Corners of all usable triangles, by vertex, in the order of the triangles. Built in linear time.
+/// The corners of all usable triangles, by vertex, in the order of the triangles. Making the lists
+/// takes linear time.
 class Corners {
  public:
   explicit Corners(const Triangles& surface) : first_(surface.positions.size() + 1, 0) {
@@ -40,13 +41,14 @@ class Corners {
     }
   }
 
+  /// The corners at the vertex. \pre the surface has it
   std::span<const Corner> of(std::size_t vertex) const {
     return {corners_.data() + first_[vertex], first_[vertex + 1] - first_[vertex]};
   }
 
-  /// Calls f(triangle, whether it runs from a to b) for each use of the edge (a, b), walking round
-  /// the end with fewer triangles: so all edges of a surface together take linear time even where
-  /// one vertex has nearly all triangles.
+  /// Calls f(triangle, whether it runs from a to b) for each use of the edge (a, b). The walk goes
+  /// round the end with fewer triangles, so that all edges of a surface together take linear time
+  /// even where one vertex has nearly all triangles. \pre the surface has both vertices
   template <class F>
   void for_each_use(std::uint32_t a, std::uint32_t b, F f) const {
     const bool at_a = of(a).size() <= of(b).size();

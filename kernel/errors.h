@@ -1,4 +1,4 @@
-// What Suture throws: bad input, and a broken invariant of our own.
+// The two exceptions of Suture: one for bad input, one for a broken invariant of our own.
 #pragma once
 
 #include <cstdio>
@@ -8,20 +8,23 @@
 
 namespace suture {
 
-/// A number as messages show it, at any size: std::to_string gives 0.000000 for all small ones.
+/// The number as messages show it, by a format of printf for one double. std::to_string would give
+/// 0.000000 for every small number.
 inline std::string number(double x, const char* format = "%.6g") {
   char text[32];
   std::snprintf(text, sizeof text, format, x);
   return text;
 }
 
-/// Input that cannot be used. The message says what is wrong, where, and what to do. Exit code 2.
+/// Thrown for input that cannot be used. The message says what is wrong, where, and what to do; the
+/// program then ends with exit code 2.
 class InvalidInput : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
 
-/// An invariant of Suture broke in `stage`; the mesh is the one before. Exit code 3.
+/// Thrown where an invariant of Suture broke in `stage`. The mesh is the one before; the program
+/// then ends with exit code 3.
 class InternalFailure : public std::runtime_error {
  public:
   InternalFailure(std::string stage, const std::string& what)

@@ -1,4 +1,4 @@
-// A flat copy of a closed mesh's incidence, free of CGAL: what crossings, cut and fill read.
+// A flat copy of a surface's incidence, free of CGAL: crossings, cut and fill read it.
 #pragma once
 
 #include <array>
@@ -9,7 +9,7 @@
 
 namespace suture {
 
-/// Vertices, edges and triangles of a closed manifold by index, each edge once.
+/// The vertices, edges and triangles of a surface by index, each edge once.
 struct Incidence {
   std::vector<Point> positions;
   std::vector<Triangle> triangles;
@@ -18,10 +18,12 @@ struct Incidence {
   std::vector<std::array<std::uint32_t, 2>> edge_triangles;  ///< the two triangles at it
 };
 
-/// What is asked of edges: two triangles at each, or any number (edge_triangles then stays empty).
+/// How many triangles may be at an edge: just two, or any number. With `any`, edge_triangles stays
+/// empty.
 enum class EdgeUse { manifold, any };
 
-/// Edges are numbered in the order in which triangles meet them. Vertex and triangle indices stay.
+/// Numbers the edges in the order in which triangles meet them; vertices and triangles keep their
+/// indices. \pre all indices are in range
 /// \throw InternalFailure if `use` is manifold and an edge has not exactly two triangles
 Incidence incidence(const Triangles& surface, EdgeUse use = EdgeUse::manifold);
 

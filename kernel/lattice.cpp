@@ -10,10 +10,16 @@ namespace suture {
 
 namespace {
 
-constexpr const char* kAxisName[3] = {"x", "y", "z"};
+/// The planes origin + i·cell along an axis.
+struct Spacing {
+  int axis;
+  double cell, origin;
+};
 
-std::vector<double> planes_between(double low, double high, double cell, double origin, int margin,
-                                   int axis) {
+/// The planes that cover the box along the axis, with `margin` cells to spare at each end.
+std::vector<double> planes_over(const Box& box, const Spacing& spacing, int margin) {
+  const auto [axis, cell, origin] = spacing;
+  const double low = box.low[axis], high = box.high[axis];
   const double first = std::floor((low - origin) / cell) - margin;
   const double last = std::ceil((high - origin) / cell) + margin;
   const double count = last - first + 1;
@@ -72,8 +78,7 @@ Lattice lattice_around(const Box& box, double cell_size, const Point& origin, in
     throw InvalidInput("a lattice needs finite coordinates and a finite origin");
   std::array<std::vector<double>, 3> planes;
   for (int a = 0; a < 3; ++a)
-    planes[static_cast<std::size_t>(a)] =
-        planes_between(box.low[a], box.high[a], cell_size, origin[a], margin, a);
+    planes[static_cast<std::size_t>(a)] = planes_over(box, {a, cell_size, origin[a]}, margin);
   return Lattice(std::move(planes));
 }
 

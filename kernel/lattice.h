@@ -9,10 +9,11 @@
 
 namespace suture {
 
-/// Node (i,j,k), or the cell whose lowest corner is that node, or with an axis: the lattice edge
-/// that leaves the node along the axis; the lattice face across the axis with the node as lowest
-/// corner.
+/// The node (i, j, k), or the cell of which that node is the lowest corner. Together with an axis
+/// it names the lattice edge that leaves the node along the axis, or the lattice face across the
+/// axis of which the node is the lowest corner.
 using Index3 = std::array<int, 3>;
+/// An Index3 in one word: `pack` and `unpack`.
 using LatticeId = std::uint64_t;
 
 inline constexpr int kIndexBits = 21;
@@ -28,15 +29,18 @@ constexpr Index3 unpack(LatticeId id) {
   return {static_cast<int>(id >> (2 * kIndexBits)), static_cast<int>((id >> kIndexBits) & mask),
           static_cast<int>(id & mask)};
 }
-/// The id `steps` further along `axis`.
+/// The id that is `steps` further along `axis`.
 constexpr LatticeId step(LatticeId id, int axis, int steps) {
   return id + static_cast<LatticeId>(static_cast<std::int64_t>(steps) *
                                      (std::int64_t{1} << (kIndexBits * (2 - axis))));
 }
+
+/// The axes as messages name them.
+inline constexpr const char* kAxisName[3] = {"x", "y", "z"};
 constexpr int next_axis(int axis) { return axis == 2 ? 0 : axis + 1; }
 constexpr int prev_axis(int axis) { return axis == 0 ? 2 : axis - 1; }
 
-/// Calls visit(cell) with the four cells round the lattice edge along `axis`.
+/// Calls visit(cell) with each of the four cells round the lattice edge along `axis`.
 template <class Visit>
 void cells_round_edge(LatticeId edge, int axis, Visit visit) {
   const int b = next_axis(axis), c = prev_axis(axis);
@@ -46,14 +50,16 @@ void cells_round_edge(LatticeId edge, int axis, Visit visit) {
   visit(step(step(edge, b, -1), c, -1));
 }
 
+/// A box along the axes, by its lowest and highest corner, in the scene's unit of length.
 struct Box {
   Point low = Point::Constant(0), high = Point::Constant(0);
 };
-/// \pre surface has a vertex
+/// The smallest box that holds all positions. \pre there is a position
 Box bounding_box(const std::vector<Point>& positions);
 
-/// Strictly increasing planes on each axis. Every decision sees plane p at p + ε (ε₁ ≫ ε₂ ≫ ε₃ >
-/// 0), so a coordinate that equals a plane lies below it and belongs to exactly one cell.
+/// Strictly increasing planes on each axis, in the scene's unit of length. Every decision sees the
+/// plane p of axis a at p + ε_a with ε₁ ≫ ε₂ ≫ ε₃ > 0, so a coordinate that equals a plane lies
+/// below it and belongs to exactly one cell.
 class Lattice {
  public:
   /// \throw InvalidInput unless each list is finite, strictly increasing, and 2 to kMaxPlanes long
@@ -64,7 +70,7 @@ class Lattice {
   int cells(int axis) const { return planes(axis) - 1; }
   Point node(const Index3& i) const { return {plane(0, i[0]), plane(1, i[1]), plane(2, i[2])}; }
 
-  /// The cell i with plane(i) < x <= plane(i+1); -1 or cells(axis) outside the lattice.
+  /// The cell i with plane(i) < x <= plane(i+1); outside the lattice -1 or cells(axis).
   int cell_of(int axis, double x) const {
     const auto& p = planes_[axis];
     const double guess = (x - p.front()) * per_unit_[axis];
@@ -86,7 +92,8 @@ class Lattice {
   std::array<double, 3> per_unit_;
 };
 
-/// Planes origin + i·cell_size (rounded once) that cover `box` with `margin` whole cells to spare.
+/// The lattice of planes origin + i·cell_size, each rounded once, that covers `box` with `margin`
+/// whole cells to spare on each side.
 /// \throw InvalidInput if cell_size is not finite and positive, is below the spacing of doubles
 /// there, or asks for more than kMaxPlanes planes on an axis
 Lattice lattice_around(const Box& box, double cell_size, const Point& origin = Point::Zero(),

@@ -15,12 +15,12 @@ using Mesh = CGAL::Surface_mesh<CgalPoint>;
 inline Point to_point(const CgalPoint& p) { return {p.x(), p.y(), p.z()}; }
 inline CgalPoint to_cgal(const Point& p) { return {p.x(), p.y(), p.z()}; }
 
-/// The mesh with the same vertex and face order. \pre edge- and vertex-manifold, oriented
-/// \throw InternalFailure if a face cannot be added
+/// The mesh with the vertices and faces in the same order. \pre the surface is oriented, and
+/// manifold at its edges and vertices \throw InternalFailure if a face cannot be added
 Mesh to_mesh(const Triangles& surface);
 
-/// Indexed copy, in index order; vertices and faces removed from `mesh` but not collected are left
-/// out.
+/// An indexed copy in the order of the mesh's indices. Vertices and faces that were removed from
+/// the mesh but not collected are left out.
 Triangles to_triangles(const Mesh& mesh);
 
 }  // namespace suture

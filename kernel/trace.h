@@ -6,16 +6,17 @@
 
 namespace suture {
 
-/// Told of each stage as it ends. Pass null where nobody listens.
+/// Hears of each stage as it ends. Functions take null where nobody listens.
 class Trace {
  public:
   virtual ~Trace() = default;
   virtual void stage_ended(std::string_view stage, double seconds) = 0;
 };
 
-/// Seconds since it was made or last read. Only ever reported, never used to decide.
+/// Measures seconds, which are only ever reported and never decide anything.
 class Stopwatch {
  public:
+  /// The seconds since the watch was made or lap() was last called.
   double lap() {
     const auto now = std::chrono::steady_clock::now();
     const double seconds = std::chrono::duration<double>(now - start_).count();

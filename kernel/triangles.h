@@ -17,7 +17,7 @@ using Point = Eigen::Vector3d;
 /// Three vertex indices, counter-clockwise seen from outside the material.
 using Triangle = std::array<std::uint32_t, 3>;
 
-/// "No such vertex, edge or triangle".
+/// The index that stands for "there is no such vertex, edge or triangle".
 inline constexpr std::uint32_t kNone = 0xffffffffU;
 
 /// An indexed triangle surface. Nothing is promised of it: `require_closed_manifold` checks.
@@ -28,7 +28,7 @@ struct Triangles {
   bool operator==(const Triangles&) const = default;
 };
 
-/// Equal to the last bit: −0 is not 0, and a NaN is itself.
+/// Whether the two are equal to the last bit: −0 is not 0, and a NaN is itself.
 inline bool same_bits(const Triangles& a, const Triangles& b) {
   const auto bits = [](double x) { return std::bit_cast<std::uint64_t>(x); };
   return a.triangles == b.triangles &&

@@ -1,4 +1,4 @@
-// From polygons to triangles, and the faults that every format can have.
+// Polygons become triangles here, and the faults that every format can have are found.
 #include "kernel/formats/builder.h"
 
 #include "kernel/errors.h"

@@ -8,7 +8,7 @@
 
 namespace suture {
 
-/// \pre `at` has sizeof(T) bytes
+/// The number whose bytes are at `at` in the given order. \pre sizeof(T) bytes are there
 template <class T>
 T load(const char* at, std::endian order) {
   char bytes[sizeof(T)];
@@ -19,6 +19,7 @@ T load(const char* at, std::endian order) {
   return x;
 }
 
+/// Appends the bytes of x, the lowest first.
 template <class T>
 void append_little_endian(std::string& bytes, T x) {
   char raw[sizeof(T)];

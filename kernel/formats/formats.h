@@ -1,4 +1,4 @@
-// The mesh formats, from bytes and to bytes. `file` is the name for messages.
+// The four mesh formats, each from bytes and to bytes.
 #pragma once
 
 #include <string>
@@ -8,18 +8,23 @@
 
 namespace suture {
 
-/// Each throws InvalidInput with file, line or element, count and what to do.
+/// Each reads a whole file of its format; `file` stands for it in messages. The surface may be open
+/// or non-manifold. \throw InvalidInput if the file is incomplete, damaged or without triangles, or
+/// has coordinates that are not finite or indices out of range; the message gives the file, the
+/// line or element, the count, and what to do
 Triangles parse_obj(std::string_view bytes, const std::string& file);
 Triangles parse_off(std::string_view bytes, const std::string& file);
 Triangles parse_ply(std::string_view bytes, const std::string& file);
 Triangles parse_stl(std::string_view bytes, const std::string& file);
 
-/// Each gives a file that reads back with the same bits. \pre finite positions, indices in range
+/// Each writes a whole file that reads back with the same bits.
+/// \pre finite positions, indices in range
 std::string format_obj(const Triangles& surface);
 std::string format_off(const Triangles& surface);
-std::string format_ply(const Triangles& surface);  ///< binary, little endian, doubles
-/// Text, since binary STL holds floats only. Vertices come back in the order of first use, equal
-/// ones welded, and those in no triangle are lost: STL has no indices.
+/// Writes PLY as binary doubles, the lowest byte first.
+std::string format_ply(const Triangles& surface);
+/// Writes STL as text, since binary STL holds floats only. STL has no indices: vertices come back
+/// in the order of first use, equal ones welded, and those in no triangle are lost.
 std::string format_stl(const Triangles& surface);
 
 }  // namespace suture

@@ -2,22 +2,34 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
+#include <string_view>
 
 #include "kernel/triangles.h"
 
 namespace suture {
 
-/// The mesh in a file, its format by the extension: .obj, .off, .ply (text or binary) or .stl (text
-/// or binary; exactly equal points are welded). Polygons are triangulated; whether the
-/// result is closed and manifold is left to `audit`. \throw InvalidInput if the file is missing,
-/// incomplete, damaged, empty of triangles, or has coordinates that are not finite or indices out
-/// of range: with file, line or element, count and what to do
+/// The extensions of mesh files, in the order in which files of one name are preferred.
+inline constexpr std::string_view kMeshExtensions[] = {".ply", ".obj", ".off", ".stl"};
+
+/// All of them as messages list them: ".ply, .obj, .off or .stl".
+std::string mesh_extensions_in_words();
+
+/// Whether the name ends in one of them, in letters of either case.
+bool has_mesh_extension(const std::filesystem::path& path);
+
+/// Reads the mesh in a file; the extension tells its format. PLY and STL may be text or binary;
+/// exactly equal points of an STL file are welded. Polygons are triangulated. Whether the mesh is
+/// closed and manifold is left to `audit`. \throw InvalidInput if the extension is unknown, the
+/// file is missing, incomplete, damaged or without triangles, or has coordinates that are not
+/// finite or indices out of range; the message gives the file, the line or element, and what to do
 Triangles read_triangles(const std::filesystem::path& path);
 
-/// Writes OBJ, OFF or STL as text with the digits that give back the same bits, PLY as binary
-/// doubles. What is at `path` is replaced only once the whole mesh is written. STL has no indices:
-/// vertices come back in the order of use, welded. \throw InvalidInput if the extension is another,
-/// the mesh could not be read again, or the file cannot be written
+/// Writes the mesh in the format of the extension: OBJ, OFF or STL as text with the digits that
+/// give back the same bits, PLY as binary doubles. A file at `path` is replaced only once the whole
+/// mesh is written. STL has no indices: vertices come back welded, in the order of use. \throw
+/// InvalidInput if the extension is unknown, the mesh has positions that are not finite or indices
+/// out of range, or the file cannot be written
 void write_triangles(const std::filesystem::path& path, const Triangles& surface);
 
 }  // namespace suture

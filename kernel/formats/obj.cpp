@@ -1,4 +1,4 @@
-// Wavefront OBJ: v and f; what only colours or groups the surface is passed over.
+// Wavefront OBJ: v and f are read; keywords that only colour or group the surface are passed over.
 #include <algorithm>
 #include <array>
 
@@ -15,7 +15,8 @@ constexpr std::array<std::string_view, 22> kPassedOver = {
     "l",   "p",    "mtllib", "usemap",     "maplib",    "bevel", "c_interp", "d_interp",
     "lod", "bmat", "step",   "shadow_obj", "trace_obj", "csh"};
 
-// One corner of a face: "v", "v/vt", "v//vn" or "v/vt/vn"; from 1, or from −1 backwards.
+// The vertex of a face's corner: "v", "v/vt", "v//vn" or "v/vt/vn". In the file v counts from 1, or
+// from −1 backwards.
 std::int64_t corner(std::string_view token, const TextLines& text, std::size_t positions) {
   const auto index = parse_integer(token.substr(0, token.find('/')));
   if (!index || *index == 0)

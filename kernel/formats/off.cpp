@@ -1,4 +1,4 @@
-// Geomview's OFF, with or without normals, colours and texture coordinates, as text.
+// Geomview's OFF as text, with or without normals, colours and texture coordinates.
 #include "kernel/formats/builder.h"
 #include "kernel/formats/formats.h"
 #include "kernel/formats/text.h"

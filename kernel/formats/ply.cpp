@@ -10,12 +10,12 @@ namespace suture {
 
 namespace {
 
-// One element in words, for messages.
+// The name of one element for messages.
 std::string nth(const PlyElement& element, std::int64_t i) {
   return in_quotes(element.name) + " " + std::to_string(i) + " of " + std::to_string(element.count);
 }
 
-// Values of a text body: an element is a line.
+// The values of a text body, in which an element is a line.
 class TextValues {
  public:
   explicit TextValues(TextLines& text) : text_(text) {}
@@ -46,7 +46,7 @@ class TextValues {
   TextLines& text_;
 };
 
-// Values of a binary body.
+// The values of a binary body.
 class BinaryValues {
  public:
   BinaryValues(std::string_view bytes, std::endian order, std::string file)
@@ -115,84 +115,94 @@ class BinaryValues {
   std::int64_t index_ = 0;
 };
 
+// Reads the elements of a body, from values of either kind.
 template <class Values>
-std::int64_t list_length(Values& values, const PlyProperty& property, const PlyElement& element,
-                         std::int64_t i, const std::string& file) {
-  const std::int64_t length = values.integer(property.count_type);
-  if (length < 0)
-    throw InvalidInput(file + ": " + nth(element, i) + " has a list of " + std::to_string(length) +
-                       " values; the file is damaged: export it again");
-  return length;
-}
+class Body {
+ public:
+  Body(Values values, const std::string& file) : values_(values), file_(file), builder_(file) {}
 
-template <class Values>
-void skip(Values& values, const PlyProperty& property, const PlyElement& element, std::int64_t i,
-          const std::string& file) {
-  const std::int64_t n = property.list ? list_length(values, property, element, i, file) : 1;
-  for (std::int64_t k = 0; k < n; ++k) values.number(property.type);
-}
+  Triangles read(const PlyHeader& header) && {
+    for (const PlyElement& element : header.elements) {
+      if (element.properties.empty())
+        continue;  // none of its values are stored, however many it has
+      for (std::int64_t i = 0; i < element.count; ++i) {
+        values_.begin(element, i);
+        read_element(element, i);
+        values_.end(element, i);
+      }
+    }
+    values_.finish();
+    return std::move(builder_).finish();
+  }
 
-template <class Values>
-void read_vertex(Values& values, const PlyElement& element, std::int64_t i, const std::string& file,
-                 SurfaceBuilder& builder) {
-  Point p = Point::Zero();
-  for (const PlyProperty& property : element.properties)
-    if (property.name == "x")
-      p[0] = values.number(property.type);
-    else if (property.name == "y")
-      p[1] = values.number(property.type);
-    else if (property.name == "z")
-      p[2] = values.number(property.type);
+ private:
+  void read_element(const PlyElement& element, std::int64_t i) {
+    element_ = &element;
+    index_ = i;
+    if (element.name == "vertex")
+      read_vertex();
+    else if (element.name == "face")
+      read_face();
     else
-      skip(values, property, element, i, file);
-  builder.add_position(p, values.line());
-}
-
-template <class Values>
-void read_face(Values& values, const PlyElement& element, std::int64_t i, const std::string& file,
-               SurfaceBuilder& builder) {
-  std::vector<std::int64_t> corners;
-  for (const PlyProperty& property : element.properties) {
-    if (property.name != "vertex_indices" && property.name != "vertex_index") {
-      skip(values, property, element, i, file);
-      continue;
-    }
-    const std::int64_t length = list_length(values, property, element, i, file);
-    for (std::int64_t k = 0; k < length; ++k) corners.push_back(values.integer(property.type));
+      for (const PlyProperty& property : element.properties) skip(property);
   }
-  builder.add_face(corners, values.line());
-}
 
-template <class Values>
-Triangles read_body(Values values, const PlyHeader& header, const std::string& file) {
-  SurfaceBuilder builder(file);
-  for (const PlyElement& element : header.elements) {
-    if (element.properties.empty()) continue;  // nothing is stored of it, whatever its count is
-    for (std::int64_t i = 0; i < element.count; ++i) {
-      values.begin(element, i);
-      if (element.name == "vertex")
-        read_vertex(values, element, i, file, builder);
-      else if (element.name == "face")
-        read_face(values, element, i, file, builder);
+  void read_vertex() {
+    Point p = Point::Zero();
+    for (const PlyProperty& property : element_->properties)
+      if (property.name == "x")
+        p[0] = values_.number(property.type);
+      else if (property.name == "y")
+        p[1] = values_.number(property.type);
+      else if (property.name == "z")
+        p[2] = values_.number(property.type);
       else
-        for (const PlyProperty& property : element.properties)
-          skip(values, property, element, i, file);
-      values.end(element, i);
-    }
+        skip(property);
+    builder_.add_position(p, values_.line());
   }
-  values.finish();
-  return std::move(builder).finish();
-}
+
+  void read_face() {
+    std::vector<std::int64_t> corners;
+    for (const PlyProperty& property : element_->properties) {
+      if (property.name != "vertex_indices" && property.name != "vertex_index") {
+        skip(property);
+        continue;
+      }
+      const std::int64_t length = list_length(property);
+      for (std::int64_t k = 0; k < length; ++k) corners.push_back(values_.integer(property.type));
+    }
+    builder_.add_face(corners, values_.line());
+  }
+
+  void skip(const PlyProperty& property) {
+    const std::int64_t n = property.list ? list_length(property) : 1;
+    for (std::int64_t k = 0; k < n; ++k) values_.number(property.type);
+  }
+
+  std::int64_t list_length(const PlyProperty& property) {
+    const std::int64_t length = values_.integer(property.count_type);
+    if (length < 0)
+      throw InvalidInput(file_ + ": " + nth(*element_, index_) + " has a list of " +
+                         std::to_string(length) + " values; the file is damaged: export it again");
+    return length;
+  }
+
+  Values values_;
+  const std::string& file_;
+  SurfaceBuilder builder_;
+  const PlyElement* element_ = nullptr;
+  std::int64_t index_ = 0;
+};
 
 }  // namespace
 
 Triangles parse_ply(std::string_view bytes, const std::string& file) {
   TextLines text(bytes, file, {});
   const PlyHeader header = read_ply_header(text);
-  if (header.format == PlyFormat::ascii) return read_body(TextValues(text), header, file);
+  if (header.format == PlyFormat::ascii) return Body(TextValues(text), file).read(header);
   const auto order =
       header.format == PlyFormat::little_endian ? std::endian::little : std::endian::big;
-  return read_body(BinaryValues(text.rest(), order, file), header, file);
+  return Body(BinaryValues(text.rest(), order, file), file).read(header);
 }
 
 std::string format_ply(const Triangles& surface) {

@@ -1,4 +1,4 @@
-// What a PLY header says: the elements, their properties, and how their values are stored.
+// The header of a PLY file: its elements, their properties, and how their values are stored.
 #pragma once
 
 #include <string>
@@ -15,7 +15,7 @@ struct PlyProperty {
   std::string name;
   PlyType type = PlyType::int8;
   bool list = false;
-  PlyType count_type = PlyType::int8;  ///< of a list's length
+  PlyType count_type = PlyType::int8;  ///< the type of a list's length
 };
 
 struct PlyElement {
@@ -33,8 +33,9 @@ struct PlyHeader {
   std::vector<PlyElement> elements;
 };
 
-/// Reads up to and with end_header; `text` then stands at the first line or byte of the body.
-/// \throw InvalidInput if it is no header, or has no vertex with x, y, z or no face with indices
+/// Reads the header, end_header included; `text` then stands at the first line or byte of the body.
+/// \throw InvalidInput if it is no header, or names no vertices with x, y and z or no faces with
+/// indices
 PlyHeader read_ply_header(TextLines& text);
 
 }  // namespace suture

@@ -12,7 +12,7 @@ namespace {
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Flat = Kernel::Point_2;
 
-// What has more corners is a convex cap, or no real mesh.
+// A polygon with more corners is a convex cap, or no real mesh.
 constexpr std::size_t kMostEars = 2000;
 
 struct Corner2 {

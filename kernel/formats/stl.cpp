@@ -10,7 +10,7 @@ namespace suture {
 
 namespace {
 
-constexpr std::size_t kHeader = 84, kFacet = 50;  // bytes: title and count; one facet
+constexpr std::size_t kHeader = 84, kFacet = 50;  // bytes of title and count, and of one facet
 
 // The loose triangles with their equal points welded, vertices in the order of first use.
 // Coordinates are checked before: a NaN would equal nothing.
@@ -70,7 +70,8 @@ Triangles parse_text(std::string_view bytes, const std::string& file) {
                            "the file is incomplete or damaged: fetch or export it again");
       if (!open) break;
       expect(text, "normal");
-      for (int k = 0; k < 3; ++k) text.token_anywhere();  // often wrong, and never used
+      for (int k = 0; k < 3; ++k)
+        text.token_anywhere();  // normals are often wrong, and are never used
       expect(text, "outer");
       expect(text, "loop");
       std::array<Point, 3> facet;

@@ -10,16 +10,16 @@
 
 namespace suture {
 
-/// The nearest double of a decimal number, "nan" and "inf" included; nothing if it is not a number.
+/// The double nearest to a decimal number, "nan" and "inf" included; nothing if it is no number.
 std::optional<double> parse_number(std::string_view token);
-/// Nothing if it is not an integer of 64 bits.
+/// The integer that the token is; nothing if it is none of 64 bits.
 std::optional<std::int64_t> parse_integer(std::string_view token);
 
-/// The shortest decimal number that reads back as the same bits, at most 17 digits.
+/// Appends the shortest decimal number that reads back as the same bits; it has at most 17 digits.
 void append_number(std::string& text, double x);
 void append_integer(std::string& text, std::uint64_t x);
 
-/// A token as a message may quote it: short, and printable.
+/// The token as a message may quote it: short, and printable.
 std::string in_quotes(std::string_view token);
 
 /// Walks over lines and the tokens in them. LF and CRLF both end a line; a comment runs from the
@@ -39,17 +39,18 @@ class TextLines {
   bool next_line();
   /// The next token of this line; empty where the line has no more.
   std::string_view token();
-  /// The next token of this line or, where it has no more, of those after it; empty at the end.
+  /// The next token of this line or, where it has no more, of the lines after it; empty at the end.
   std::string_view token_anywhere();
 
-  /// Bytes not yet handed out as a line; what a binary part after a text header starts with.
+  /// The bytes not yet handed out as a line: after a text header a binary part starts there.
   std::string_view rest() const { return rest_; }
   std::size_t line() const { return line_; }
   const std::string& file() const { return file_; }
 
   /// The refusal "file:line: what; advice".
   InvalidInput refusal(const std::string& what, const std::string& advice) const;
-  /// The next number or integer of this line. \throw InvalidInput if there is none
+  /// The next number or integer of this line, which messages call `of_what`. \throw InvalidInput if
+  /// there is none
   double number(const char* of_what);
   std::int64_t integer(const char* of_what);
 

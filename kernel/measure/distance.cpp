@@ -1,4 +1,4 @@
-// Systematic sampling: one sample for every equal share of area, placed in its triangle by the
+// Samples are systematic: every equal part of the area has one, placed in its triangle by the
 // additive sequence of the plastic number, which fills a square evenly.
 #include "kernel/measure/distance.h"
 

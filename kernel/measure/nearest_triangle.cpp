@@ -1,6 +1,6 @@
-// A tree of boxes of our own. CGAL's AABB_tree, tried on the horse (97k triangles): 3.3 times
-// slower to build, 2.8 times to ask, and on a sliver 1e-12 wide it was 2e-14 off, where this is
-// exact.
+// The tree of boxes is our own. CGAL's AABB_tree, tried on the horse (97k triangles), is 3.3 times
+// slower to build and 2.8 times slower to ask, and on a sliver 1e-12 wide it was 2e-14 off, where
+// this one is exact.
 #include "kernel/measure/nearest_triangle.h"
 
 #include <Eigen/Geometry>
@@ -20,26 +20,28 @@ namespace {
 
 constexpr std::size_t kLeaf = 4;       // triangles
 constexpr std::size_t kLopsided = 8;   // a part of less than 1/8 is not worth a level
-constexpr std::size_t kDeepest = 192;  // 7/8 of 2^32 triangles, 167 times over, is one
-constexpr double kFar = 0x1p200;       // × the surface's size: from there it is a point
-constexpr double kRounding = 0x1p-49;  // of a squared length: 16 roundings, more than there are
+constexpr std::size_t kDeepest = 192;  // 2^32 triangles times 7/8, 167 times over, leave one
+constexpr double kFar = 0x1p200;       // in sizes of the surface: from there it is a point
+constexpr double kRounding =
+    0x1p-49;  // relative, of a squared length: 16 roundings; there are fewer
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-// From the segment (a, b) to p, the vector that is shortest.
+// The shortest vector from the segment (a, b) to p.
 Point from_segment(const Point& p, const Point& a, const Point& b) {
   const Point ab = b - a, ap = p - a;
   const double length2 = ab.squaredNorm(), along = ab.dot(ap);
   if (!(along > 0)) return ap;
   if (along >= length2) return p - b;
-  // Measured from the nearer end, so that the foot's rounding stays small beside the distance.
+  // The foot is measured from the nearer end, so that its rounding stays small beside the distance.
   return 2 * along <= length2 ? Point(ap - ab * (along / length2))
                               : Point((p - b) - (a - b) * ((a - b).dot(p - b) / length2));
 }
 
-// Squared distance of p from the triangle. The nearest point of the border comes first. It is the
-// answer outside the triangle's prism, and inside it is off by no more than the triangle is wide:
-// its square exceeds that of the true distance by at most the squared inradius. So slivers, whose
-// normals are mostly rounding (which is what a projection along the normal stands on), need none.
+// The squared distance of p from the triangle. The nearest point of the border comes first. It is
+// the answer outside the triangle's prism, and inside it is off by no more than the triangle is
+// wide: its square exceeds that of the true distance by at most the squared inradius. A projection
+// along the normal stands on normals, which are mostly rounding for slivers; slivers need none
+// here.
 double squared_distance(const Point& p, const Point& a, const Point& b, const Point& c) {
   Point border = from_segment(p, a, b);
   double border2 = border.squaredNorm();
@@ -65,8 +67,8 @@ double squared_distance(const Point& p, const Point& a, const Point& b, const Po
 struct Node {
   Eigen::Array3d low = Eigen::Array3d::Constant(kInfinity);
   Eigen::Array3d high = Eigen::Array3d::Constant(-kInfinity);
-  std::uint32_t begin = 0, end = 0;  // triangles of a leaf
-  std::uint32_t right = 0;           // second child; the first is the next node; 0: a leaf
+  std::uint32_t begin = 0, end = 0;  // the items of a leaf
+  std::uint32_t right = 0;           // the second child; the first is the next node; 0 in a leaf
 
   double squared_distance(const Point& p) const {
     return (low - p.array()).max(p.array() - high).max(0).square().sum();
@@ -82,14 +84,14 @@ bool on_ray(const Eigen::Array3d& low, const Eigen::Array3d& high, const Point& 
   return p[0] <= high[0] && low[1] <= p[1] && p[1] <= high[1] && low[2] <= p[2] && p[2] <= high[2];
 }
 
-// What the tree is built from: small, since it is moved about at every level.
+// The tree is built from keys; they are small, since each level moves them about.
 struct Key {
-  Eigen::Array3d middle;  // of the triangle's box
+  Eigen::Array3d middle;  // the middle of the triangle's box
   std::uint32_t triangle;
 };
 
-// Where to part the keys: by the middle of their extent, which is quick and keeps boxes compact, or
-// by their median where the middle would leave one side nearly empty, which bounds the depth.
+// Parts the keys and returns where the second part begins. The middle of their extent is quick and
+// keeps boxes compact; where it would leave one side nearly empty the median bounds the depth.
 std::size_t part(std::vector<Key>& keys, std::size_t begin, std::size_t end) {
   Eigen::Array3d low = keys[begin].middle, high = low;
   for (std::size_t i = begin + 1; i < end; ++i) {

@@ -8,24 +8,25 @@
 
 namespace suture {
 
-/// Distance of `p` from the triangle (a, b, c), exact to rounding of the coordinates, for slivers
-/// and triangles without area too. \pre coordinates whose squares are in the range of doubles
+/// The distance of `p` from the triangle (a, b, c), exact to rounding of the coordinates, for
+/// slivers and triangles without area too. \pre the squares of the coordinates are in the range of
+/// doubles
 double distance_to_triangle(const Point& p, const Point& a, const Point& b, const Point& c);
 
-/// The triangles of one surface, made ready for many questions. Any number of threads may ask.
+/// The triangles of one surface, made ready for many questions. Any number of threads may ask at
+/// once.
 class NearestTriangle {
  public:
-  /// Copies what it needs: `surface` may go. O(n log n).
-  /// \throw InvalidInput if the surface has no triangle, a coordinate that is not finite or an
-  /// index out of range
+  /// Copies what it needs, so `surface` may go. It takes O(n log n). \throw InvalidInput if the
+  /// surface has no triangle, a coordinate that is not finite or an index out of range
   explicit NearestTriangle(const Triangles& surface);
   ~NearestTriangle();
   NearestTriangle(NearestTriangle&&) noexcept;
   NearestTriangle& operator=(NearestTriangle&&) noexcept;
 
-  /// Distance to the nearest triangle, exact to rounding, at any scale. \pre p is finite
+  /// The distance to the nearest triangle, exact to rounding, at any scale. \pre p is finite
   double distance(const Point& p) const;
-  /// That triangle; of equally near ones always the same. \pre p is finite
+  /// The nearest triangle; of equally near ones the one with the lowest index. \pre p is finite
   std::uint32_t triangle(const Point& p) const;
   /// Adds to `found`, in a defined order, the triangles whose boxes the ray from p along the first
   /// axis meets: all that it can cross, and few others. \pre p is finite

@@ -15,10 +15,10 @@ using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Vertex = Kernel::Point_3;
 using Box = CGAL::Box_intersection_d::Box_with_info_d<double, 3, std::uint32_t>;
 
-constexpr std::ptrdiff_t kCutoff =
-    2000;  // boxes below which CGAL compares all; its own users' value
+// The number of boxes below which CGAL compares all pairs; its own users have this value.
+constexpr std::ptrdiff_t kCutoff = 2000;
 
-/// Thrown by the callback, as CGAL's search has no other way to end early.
+/// The callback throws it, as CGAL's search has no other way to end early.
 struct Enough {};
 
 struct Face {
@@ -29,26 +29,43 @@ struct Face {
 
 bool holds(const Triangle& t, std::uint32_t v) { return t[0] == v || t[1] == v || t[2] == v; }
 
-// The place in `a` of its first vertex that is (or, with `shared` off, is not) also in `b`.
-std::size_t first_where(const Face& a, const Face& b, bool shared) {
-  std::size_t i = 0;
-  while (holds(b.index, a.index[i]) != shared) ++i;
-  return i;
+// A face seen from one of its corners.
+struct FaceCorner {
+  const Face& face;
+  std::size_t k;
+
+  const Vertex& at() const { return face.at[k]; }
+  const Vertex& next() const { return face.at[(k + 1) % 3]; }
+  const Vertex& prev() const { return face.at[(k + 2) % 3]; }
+  Kernel::Segment_3 opposite() const { return {next(), prev()}; }
+};
+
+// The first corner of `a` whose vertex is in `b` too. There must be one.
+FaceCorner first_shared(const Face& a, const Face& b) {
+  std::size_t k = 0;
+  while (!holds(b.index, a.index[k])) ++k;
+  return {a, k};
 }
 
-// Sharing the edge opposite to vertex i of a and j of b: they overlap if folded flat, on one side.
-bool meet_beyond_edge(const Face& a, std::size_t i, const Face& b, std::size_t j) {
-  const Vertex &p = a.at[(i + 1) % 3], &q = a.at[(i + 2) % 3];
-  return CGAL::coplanar(p, q, a.at[i], b.at[j]) &&
-         CGAL::coplanar_orientation(p, q, a.at[i], b.at[j]) == CGAL::POSITIVE;
+// The first corner of `a` whose vertex is not in `b`. There must be one.
+FaceCorner first_own(const Face& a, const Face& b) {
+  std::size_t k = 0;
+  while (holds(b.index, a.index[k])) ++k;
+  return {a, k};
 }
 
-// Sharing vertex i of a and j of b: they meet elsewhere if an opposite side reaches the other.
-bool meet_beyond_vertex(const Face& a, std::size_t i, const Face& b, std::size_t j) {
-  const Kernel::Segment_3 opposite_a(a.at[(i + 1) % 3], a.at[(i + 2) % 3]);
-  const Kernel::Segment_3 opposite_b(b.at[(j + 1) % 3], b.at[(j + 2) % 3]);
-  return CGAL::do_intersect(a.triangle(), opposite_b) ||
-         CGAL::do_intersect(b.triangle(), opposite_a);
+// Faces that share the edge opposite to these corners overlap if they are folded flat, on one side.
+bool meet_beyond_edge(const FaceCorner& a, const FaceCorner& b) {
+  const Vertex &p = a.next(), &q = a.prev();
+  return CGAL::coplanar(p, q, a.at(), b.at()) &&
+         CGAL::coplanar_orientation(p, q, a.at(), b.at()) == CGAL::POSITIVE;
+}
+
+// Faces that share the vertex of these corners meet elsewhere if the side of one that is opposite
+// to it reaches the other.
+bool meet_beyond_vertex(const FaceCorner& a, const FaceCorner& b) {
+  return CGAL::do_intersect(a.face.triangle(), b.opposite()) ||
+         CGAL::do_intersect(b.face.triangle(), a.opposite());
 }
 
 bool meet(const Face& a, const Face& b) {
@@ -58,9 +75,9 @@ bool meet(const Face& a, const Face& b) {
     case 0:
       return CGAL::do_intersect(a.triangle(), b.triangle());
     case 1:
-      return meet_beyond_vertex(a, first_where(a, b, true), b, first_where(b, a, true));
+      return meet_beyond_vertex(first_shared(a, b), first_shared(b, a));
     case 2:
-      return meet_beyond_edge(a, first_where(a, b, false), b, first_where(b, a, false));
+      return meet_beyond_edge(first_own(a, b), first_own(b, a));
     default:
       return true;
   }

@@ -11,22 +11,24 @@
 namespace suture {
 
 struct SelfIntersections {
-  /// Pairs of triangles, lower index first, in increasing order.
+  /// The pairs of triangles that intersect, lower index first, in increasing order.
   std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs;
-  /// Triangles whose vertices lie on one line: without area, and left out of the pairs.
+  /// How many triangles have no area, as their vertices lie on one line. The pairs leave them out.
   std::size_t without_area = 0;
-  /// There are more pairs than were asked for; which of them are listed is then left open.
+  /// Whether there are more pairs than were asked for. Which of them are listed is then left open.
   bool capped = false;
 };
 
 struct SelfIntersectionOptions {
-  /// Pairs after which the search ends: n copies of one body have about n² pairs for each triangle.
+  /// The number of pairs after which the search ends: n copies of one body have about n² pairs for
+  /// each triangle.
   std::size_t most = std::numeric_limits<std::size_t>::max();
 };
 
-/// Two triangles intersect if they have more in common than the vertices and edges that they share
-/// by index: so triangles folded flat onto each other do, and so do unconnected ones that only
-/// touch. Any surface will do, closed or not. \pre finite positions, indices in range
+/// Finds the pairs of triangles that have more in common than the vertices and edges that they
+/// share by index. Triangles folded flat onto each other are such a pair, and so are unconnected
+/// ones that only touch. Any surface will do, closed or not. \pre finite positions, indices in
+/// range
 SelfIntersections self_intersections(const Triangles& surface,
                                      const SelfIntersectionOptions& options = {});
 

@@ -12,7 +12,8 @@ namespace {
 
 using Exact = CGAL::Exact_predicates_inexact_constructions_kernel;
 
-// Seen against the ray: on which side of the edge from u to v the shifted p is; 1: left.
+// On which side of the edge from u to v the shifted p is, seen against the ray: 1 on its left, else
+// −1.
 int side_of_edge(const Point& p, const Point& u, const Point& v) {
   const auto sign = CGAL::orientation(Exact::Point_2(u[1], u[2]), Exact::Point_2(v[1], v[2]),
                                       Exact::Point_2(p[1], p[2]));

@@ -1,4 +1,4 @@
-// The volume that is inside one surface and not the other, along lines that cross both.
+// Lines along each axis are cut by both surfaces, and each place counts by the normal near it.
 #include "kernel/measure/symmetric_difference.h"
 
 #include <algorithm>
@@ -16,8 +16,8 @@
 namespace suture {
 namespace {
 
-// Where the grid begins, in spacings, along each axis: so that no line runs along what was made
-// regular, and no two axes see a symmetric body alike.
+// Where the grid of each axis begins, in spacings. With these offsets no line runs along edges of a
+// regular mesh, and no two axes see a symmetric body alike.
 constexpr std::array<double, 3> kOffset1 = {0.38196601125010515, 0.7639320225002103, 0.14589803375},
                                 kOffset2 = {0.24512233375330728, 0.8301597090, 0.5698402909980};
 
@@ -38,59 +38,72 @@ struct Grid {
 struct Cut {
   std::int64_t line;
   double height;
-  int surface, step;  ///< of the winding, along the line
+  int surface, step;  ///< the winding changes by `step` along the line
 };
 
-/// Twice the area of (a, b, p), computed alike from both triangles of the edge, and never zero: a
-/// line that meets an edge is on the same side of it for both.
-double side(const Triangles& s, const Grid& g, std::uint32_t a, std::uint32_t b, double x,
-            double y) {
-  const bool swapped = a > b;
-  const Point &p = s.positions[swapped ? b : a], &q = s.positions[swapped ? a : b];
-  const double area = (q[g.across1] - p[g.across1]) * (y - p[g.across2]) -
-                      (q[g.across2] - p[g.across2]) * (x - p[g.across1]);
-  const double decided = area == 0 ? std::numeric_limits<double>::min() : area;
-  return swapped ? -decided : decided;
-}
+/// Cuts the lines of a grid by the triangles of one surface.
+struct Cutter {
+  const Triangles& s;
+  const Grid& g;
+  int surface;
 
-void cut_triangle(const Triangles& s, const Triangle& t, const Grid& g, int surface,
-                  std::vector<Cut>& cuts) {
-  const Point &a = s.positions[t[0]], &b = s.positions[t[1]], &c = s.positions[t[2]];
-  const auto range = [&](int axis, double low, double offset, std::int64_t count) {
-    const double least = std::min({a[axis], b[axis], c[axis]}),
-                 most = std::max({a[axis], b[axis], c[axis]});
-    const double from = std::ceil((least - low) / g.spacing - offset - 1e-9),
-                 to = std::floor((most - low) / g.spacing - offset + 1e-9);
-    return std::pair(std::max<std::int64_t>(0, static_cast<std::int64_t>(from)),
-                     std::min(count - 1, static_cast<std::int64_t>(to)));
-  };
-  const auto [i0, i1] = range(g.across1, g.low1, kOffset1[g.along], g.count1);
-  const auto [j0, j1] = range(g.across2, g.low2, kOffset2[g.along], g.count2);
-  for (std::int64_t i = i0; i <= i1; ++i)
-    for (std::int64_t j = j0; j <= j1; ++j) {
-      const double x = g.first(i), y = g.second(j);
-      const double wc = side(s, g, t[0], t[1], x, y), wa = side(s, g, t[1], t[2], x, y),
-                   wb = side(s, g, t[2], t[0], x, y);
-      const bool up = wa > 0 && wb > 0 && wc > 0;
-      if (!up && !(wa < 0 && wb < 0 && wc < 0)) continue;
-      const double height = (wa * a[g.along] + wb * b[g.along] + wc * c[g.along]) / (wa + wb + wc);
-      cuts.push_back({i * g.count2 + j, height, surface, up ? -1 : 1});
-    }
-}
+  /// Twice the area of (a, b) and the line at (x, y), computed alike from both triangles of the
+  /// edge and never zero: a line that meets an edge is on the same side of it for both.
+  double side(std::array<std::uint32_t, 2> edge, double x, double y) const {
+    const auto [a, b] = edge;
+    const bool swapped = a > b;
+    const Point &p = s.positions[swapped ? b : a], &q = s.positions[swapped ? a : b];
+    const double area = (q[g.across1] - p[g.across1]) * (y - p[g.across2]) -
+                        (q[g.across2] - p[g.across2]) * (x - p[g.across1]);
+    const double decided = area == 0 ? std::numeric_limits<double>::min() : area;
+    return swapped ? -decided : decided;
+  }
 
-/// Sums over a quarter of the lines: every other one along both axes.
+  void cut(const Triangle& t, std::vector<Cut>& cuts) const {
+    const Point &a = s.positions[t[0]], &b = s.positions[t[1]], &c = s.positions[t[2]];
+    const auto range = [&](int axis, double low, double offset, std::int64_t count) {
+      const double least = std::min({a[axis], b[axis], c[axis]}),
+                   most = std::max({a[axis], b[axis], c[axis]});
+      const double from = std::ceil((least - low) / g.spacing - offset - 1e-9),
+                   to = std::floor((most - low) / g.spacing - offset + 1e-9);
+      return std::pair(std::max<std::int64_t>(0, static_cast<std::int64_t>(from)),
+                       std::min(count - 1, static_cast<std::int64_t>(to)));
+    };
+    const auto [i0, i1] = range(g.across1, g.low1, kOffset1[g.along], g.count1);
+    const auto [j0, j1] = range(g.across2, g.low2, kOffset2[g.along], g.count2);
+    for (std::int64_t i = i0; i <= i1; ++i)
+      for (std::int64_t j = j0; j <= j1; ++j) {
+        const double x = g.first(i), y = g.second(j);
+        const double wc = side({t[0], t[1]}, x, y), wa = side({t[1], t[2]}, x, y),
+                     wb = side({t[2], t[0]}, x, y);
+        const bool up = wa > 0 && wb > 0 && wc > 0;
+        if (!up && !(wa < 0 && wb < 0 && wc < 0)) continue;
+        const double height =
+            (wa * a[g.along] + wb * b[g.along] + wc * c[g.along]) / (wa + wb + wc);
+        cuts.push_back({i * g.count2 + j, height, surface, up ? -1 : 1});
+      }
+  }
+};
+
+/// A part of a line.
+struct Stretch {
+  std::int64_t line;
+  double from, to;
+};
+
+/// The sum over a quarter of the lines, which are every other one along both axes.
 struct Sum {
   double length = 0;
   std::size_t lines = 0, skipped = 0;
 };
 using Quarters = std::array<Sum, 4>;
 
-/// The share of a place that belongs to the lines of an axis: the square of that component of the
-/// normal of the nearest triangle. The three axes' shares add up to 1, whatever the normal is; a
-/// thin sheet is left to the lines that cross it steeply, and grazing ones count little.
-class Shares {
+/// The weight of a place for the lines of an axis: the square of that component of the normal of
+/// the nearest triangle. The weights of the three axes add up to 1, whatever the normal is; a thin
+/// sheet is left to the lines that cross it steeply, and grazing ones count little.
+class Weights {
  public:
-  explicit Shares(const Triangles& surface) : nearest_(surface) {
+  explicit Weights(const Triangles& surface) : nearest_(surface) {
     for (const auto& [a, b, c] : surface.triangles) {
       const auto& x = surface.positions;
       const Point n = (x[b] - x[a]).cross(x[c] - x[a]);
@@ -98,8 +111,11 @@ class Shares {
       squares_.push_back(length > 0 ? Point((n / length).cwiseAbs2()) : Point::Constant(1.0 / 3));
     }
   }
-  /// Over a stretch of a line, by the middles of equal parts no longer than `step`.
-  double over(const Grid& g, std::int64_t line, double from, double to, double step) const {
+  /// The integral over a stretch of a line, by the middles of equal parts, at most 32 and no longer
+  /// than two spacings where that is enough.
+  double over(const Grid& g, const Stretch& stretch) const {
+    const auto [line, from, to] = stretch;
+    const double step = 2 * g.spacing;
     const double parts = std::clamp(std::ceil((to - from) / step), 1.0, 32.0);
     Point p;
     p[g.across1] = g.first(line / g.count2);
@@ -117,21 +133,21 @@ class Shares {
   std::vector<Point> squares_;
 };
 
-/// The length of one line on which only one surface is, by shares; negative if a surface is not
+/// The weighted length of one line on which only one surface is; negative if a surface is not
 /// closed there.
-double only_one(std::span<const Cut> line, const Grid& grid, const Shares& shares) {
+double only_one(std::span<const Cut> line, const Grid& grid, const Weights& weights) {
   std::array<int, 2> winding{0, 0};
   double length = 0, last = 0;
   for (const Cut& cut : line) {
     if ((winding[0] >= 1) != (winding[1] >= 1) && cut.height > last)
-      length += shares.over(grid, cut.line, last, cut.height, 2 * grid.spacing);
+      length += weights.over(grid, {cut.line, last, cut.height});
     last = cut.height;
     winding[cut.surface] += cut.step;
   }
   return winding[0] == 0 && winding[1] == 0 ? length : -1;
 }
 
-void add_lines(std::vector<Cut> cuts, const Grid& grid, const Shares& shares, Quarters& sums) {
+void add_lines(std::vector<Cut> cuts, const Grid& grid, const Weights& weights, Quarters& sums) {
   std::sort(cuts.begin(), cuts.end(), [](const Cut& a, const Cut& b) {
     return std::tie(a.line, a.height, a.surface, a.step) <
            std::tie(b.line, b.height, b.surface, b.step);
@@ -139,7 +155,7 @@ void add_lines(std::vector<Cut> cuts, const Grid& grid, const Shares& shares, Qu
   for (std::size_t from = 0; from < cuts.size();) {
     std::size_t to = from;
     while (to < cuts.size() && cuts[to].line == cuts[from].line) ++to;
-    const double length = only_one({cuts.data() + from, to - from}, grid, shares);
+    const double length = only_one({cuts.data() + from, to - from}, grid, weights);
     const std::int64_t i = cuts[from].line / grid.count2, j = cuts[from].line % grid.count2;
     Sum& sum = sums[2 * (i % 2) + j % 2];
     ++sum.lines;
@@ -173,14 +189,14 @@ SymmetricDifference symmetric_difference(const Triangles& a, const Triangles& b,
   const Box box = bounding_box(all);
   result.spacing = (box.high - box.low).maxCoeff() / options.lines;
   if (!(result.spacing > 0)) return result;
-  const Shares shares(a.triangles.empty() ? b : a);
+  const Weights weights(a.triangles.empty() ? b : a);
   Quarters sums;
   for (int axis = 0; axis < 3; ++axis) {
     const Grid grid = grid_along(axis, box, result.spacing);
     std::vector<Cut> cuts;
-    for (const Triangle& t : a.triangles) cut_triangle(a, t, grid, 0, cuts);
-    for (const Triangle& t : b.triangles) cut_triangle(b, t, grid, 1, cuts);
-    add_lines(std::move(cuts), grid, shares, sums);
+    for (const Triangle& t : a.triangles) Cutter{a, grid, 0}.cut(t, cuts);
+    for (const Triangle& t : b.triangles) Cutter{b, grid, 1}.cut(t, cuts);
+    add_lines(std::move(cuts), grid, weights, sums);
   }
   std::array<double, 4> volumes{};
   for (int i = 0; i < 4; ++i) {

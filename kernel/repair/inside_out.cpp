@@ -1,4 +1,6 @@
-// Components that enclose their material from the wrong side, found by exact volumes and nesting.
+// Inside-out components are found by the exact signs of volumes and by how components are nested.
+#include "kernel/repair/inside_out.h"
+
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Side_of_triangle_mesh.h>
 #include <Eigen/Geometry>
@@ -6,14 +8,12 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
-#include <numeric>
 
 #include "kernel/corners.h"
 #include "kernel/lattice.h"
+#include "kernel/lists.h"
 #include "kernel/measure/measures.h"
 #include "kernel/mesh.h"
-#include "kernel/repair/orientation.h"
-#include "kernel/sort_unique.h"
 
 namespace suture {
 
@@ -23,9 +23,9 @@ using SideOf = CGAL::Side_of_triangle_mesh<Mesh, CgalKernel>;
 
 struct Component {
   std::vector<std::uint32_t> triangles;
-  int sign = 0;  // of its volume
+  int sign = 0;  // the sign of its volume
   Box box;
-  std::array<Point, 6> extremes;  // vertices lowest and highest on each axis
+  std::array<Point, 6> extremes;  // the vertices lowest and highest on each axis
   std::unique_ptr<Mesh> mesh;     // made when first asked for
   std::unique_ptr<SideOf> side;
 };
@@ -69,7 +69,7 @@ int volume_sign(const Triangles& surface, const Component& part) {
   return exact_volume_sign(surface, part);
 }
 
-// Which components have every edge used once each way.
+// For each component 1 if every edge of it is used once each way, else 0.
 std::vector<std::uint8_t> closed_components(const Triangles& surface, const Components& parts) {
   const Corners corners(surface);
   std::vector<std::uint8_t> closed(parts.count, 1);
@@ -125,7 +125,8 @@ bool box_inside(const Box& inner, const Box& outer) {
          (inner.high.array() < outer.high.array()).all();
 }
 
-// The component with its own vertices only, so that many components take no more than one.
+// A copy of the component with its own vertices only, so that many components take no more memory
+// than one.
 Triangles alone(const Triangles& surface, const Component& part) {
   std::vector<std::uint32_t> vertices;
   for (const std::uint32_t i : part.triangles)
@@ -166,8 +167,7 @@ std::vector<std::uint32_t> inside_out_components(const Triangles& surface) {
   for (std::size_t i = 0; i < parts.size(); ++i)
     for (std::size_t j = 0; j < parts.size(); ++j)
       if (i != j && inside(surface, parts[i], parts[j])) round[i].push_back(j);
-  std::vector<std::size_t> order(parts.size());
-  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::vector<std::size_t> order = identity_map<std::size_t>(parts.size());
   std::stable_sort(order.begin(), order.end(),
                    [&](std::size_t a, std::size_t b) { return round[a].size() < round[b].size(); });
   std::vector<std::uint8_t> wrong(parts.size(), 0);
@@ -186,6 +186,15 @@ std::vector<std::uint32_t> inside_out_components(const Triangles& surface) {
   }
   std::sort(result.begin(), result.end());
   return result;
+}
+
+void turn_components(Triangles& surface, const std::vector<std::uint32_t>& triangles) {
+  const Components parts = components(surface);
+  std::vector<std::uint8_t> turn(parts.count, 0);
+  for (const std::uint32_t t : triangles) turn[parts.of_triangle[t]] = 1;
+  for (std::size_t i = 0; i < surface.triangles.size(); ++i)
+    if (turn[parts.of_triangle[i]] != 0)
+      std::swap(surface.triangles[i][1], surface.triangles[i][2]);
 }
 
 }  // namespace suture

@@ -4,40 +4,47 @@
 #include <algorithm>
 
 #include "kernel/corners.h"
-#include "kernel/measure/measures.h"
 
 namespace suture {
 
 namespace {
 
-// A neighbour across an edge of exactly two triangles, and whether they disagree there.
+// The triangle across an edge of just two, and whether both run along it the same way.
 struct Across {
   std::uint32_t triangle;
   bool opposed;
 };
 
-// The other triangle on edge k of triangle t; kNone at a border or where three or more share it.
-Across across(const Triangles& surface, const Corners& corners, std::uint32_t t, std::size_t k) {
-  Across found{kNone, false};
-  bool single = true;
-  const Triangle& at = surface.triangles[t];
-  corners.for_each_use(at[k], at[(k + 1) % 3], [&](std::uint32_t other, bool same_way) {
-    if (other == t) return;
-    single &= found.triangle == kNone;
-    found = {other, same_way};
-  });
-  return single ? found : Across{kNone, false};
-}
+// The triangles of a surface and their neighbours.
+struct Neighbourhood {
+  explicit Neighbourhood(const Triangles& s) : surface(s), corners(s) {}
 
+  // The other triangle at edge k of triangle t; kNone at a border and where three or more share it.
+  Across across(std::uint32_t t, std::size_t k) const {
+    Across found{kNone, false};
+    bool single = true;
+    const Triangle& at = surface.triangles[t];
+    corners.for_each_use(at[k], at[(k + 1) % 3], [&](std::uint32_t other, bool same_way) {
+      if (other == t) return;
+      single &= found.triangle == kNone;
+      found = {other, same_way};
+    });
+    return single ? found : Across{kNone, false};
+  }
+
+  const Triangles& surface;
+  Corners corners;
+};
+
+// One component.
 struct Walk {
   std::vector<std::uint32_t> members;
   std::size_t turned = 0;
   bool orientable = true;
 };
 
-// Walks one component from `start`, deciding for each member whether to turn it.
-Walk walk(const Triangles& surface, const Corners& corners, std::uint32_t start,
-          std::vector<std::int8_t>& turn) {
+// Walks through the component of `start` and decides for each member whether to turn it.
+Walk walk(const Neighbourhood& all, std::uint32_t start, std::vector<std::int8_t>& turn) {
   Walk result;
   result.members.push_back(start);
   turn[start] = 0;
@@ -45,7 +52,7 @@ Walk walk(const Triangles& surface, const Corners& corners, std::uint32_t start,
     const std::uint32_t t = result.members[i];
     result.turned += turn[t] == 1 ? 1 : 0;
     for (std::size_t k = 0; k < 3; ++k) {
-      const Across next = across(surface, corners, t, k);
+      const Across next = all.across(t, k);
       if (next.triangle == kNone) continue;
       const auto wanted = static_cast<std::int8_t>(next.opposed ? 1 - turn[t] : turn[t]);
       if (turn[next.triangle] < 0) {
@@ -62,12 +69,12 @@ Walk walk(const Triangles& surface, const Corners& corners, std::uint32_t start,
 }  // namespace
 
 TurnedTriangles orient_consistently(Triangles& surface) {
-  const Corners corners(surface);
-  std::vector<std::int8_t> turn(surface.triangles.size(), -1);  // -1: not yet met
+  const Neighbourhood all(surface);
+  std::vector<std::int8_t> turn(surface.triangles.size(), -1);  // -1 until it is met
   TurnedTriangles result;
   for (std::size_t i = 0; i < turn.size(); ++i) {
     if (turn[i] >= 0 || !usable(surface.triangles[i], surface.positions.size())) continue;
-    const Walk walked = walk(surface, corners, static_cast<std::uint32_t>(i), turn);
+    const Walk walked = walk(all, static_cast<std::uint32_t>(i), turn);
     if (!walked.orientable) {
       ++result.not_orientable;
       for (const std::uint32_t t : walked.members) turn[t] = 0;
@@ -81,15 +88,6 @@ TurnedTriangles orient_consistently(Triangles& surface) {
   for (std::size_t i = 0; i < turn.size(); ++i)
     if (turn[i] == 1) std::swap(surface.triangles[i][1], surface.triangles[i][2]);
   return result;
-}
-
-void turn_components(Triangles& surface, const std::vector<std::uint32_t>& triangles) {
-  const Components parts = components(surface);
-  std::vector<std::uint8_t> turn(parts.count, 0);
-  for (const std::uint32_t t : triangles) turn[parts.of_triangle[t]] = 1;
-  for (std::size_t i = 0; i < surface.triangles.size(); ++i)
-    if (turn[parts.of_triangle[i]] != 0)
-      std::swap(surface.triangles[i][1], surface.triangles[i][2]);
 }
 
 }  // namespace suture

@@ -1,15 +1,16 @@
-// The steps of a repair, each of which leaves the surface valid for the next.
+// The steps of a repair; each leaves a surface that the next can take.
 #include "kernel/repair/repair.h"
 
 #include <algorithm>
 #include <array>
-#include <numeric>
 
 #include "kernel/audit.h"
 #include "kernel/corners.h"
 #include "kernel/errors.h"
+#include "kernel/repair/inside_out.h"
 #include "kernel/repair/orientation.h"
 #include "kernel/repair/weld.h"
+#include "kernel/union_find.h"
 
 namespace suture {
 
@@ -32,18 +33,16 @@ bool same_vertices(const Triangle& a, Triangle b) {
   return std::is_permutation(a.begin(), a.end(), b.begin());
 }
 
-// Whether an odd number of triangles other than those on the vertices of `t` have its edge k.
-bool edge_needs_it(const Triangles& surface, const Corners& corners, const Triangle& t,
-                   std::size_t k) {
-  std::size_t others = 0;
-  corners.for_each_use(t[k], t[(k + 1) % 3], [&](std::uint32_t other, bool) {
-    if (!same_vertices(t, surface.triangles[other])) ++others;
-  });
-  return others % 2 == 1;
-}
-
 std::size_t drop_duplicates(Triangles& surface) {
   const Corners corners(surface);
+  // Whether an odd number of triangles other than those on the vertices of `t` have its edge k.
+  const auto edge_needs_it = [&](const Triangle& t, std::size_t k) {
+    std::size_t others = 0;
+    corners.for_each_use(t[k], t[(k + 1) % 3], [&](std::uint32_t other, bool) {
+      if (!same_vertices(t, surface.triangles[other])) ++others;
+    });
+    return others % 2 == 1;
+  };
   std::vector<std::uint8_t> gone(surface.triangles.size(), 0);
   for (std::size_t i = 0; i < surface.triangles.size(); ++i) {
     if (gone[i] != 0) continue;
@@ -56,13 +55,13 @@ std::size_t drop_duplicates(Triangles& surface) {
     });
     if (copies == 0) continue;
     bool needed = false;
-    for (std::size_t k = 0; k < 3; ++k) needed |= edge_needs_it(surface, corners, t, k);
+    for (std::size_t k = 0; k < 3; ++k) needed |= edge_needs_it(t, k);
     gone[i] = needed ? 0 : 1;
   }
   return drop(surface, gone);
 }
 
-// A border edge by the first vertices at its two points, lower one first, and its own vertices.
+// A border edge, by the first vertices at its two points, lower one first, and by its own vertices.
 struct BorderEdge {
   std::array<std::uint32_t, 2> points, vertices;
 };
@@ -85,33 +84,24 @@ std::vector<BorderEdge> border_edges(const Triangles& surface,
   return result;
 }
 
-std::uint32_t root(std::vector<std::uint32_t>& parent, std::uint32_t v) {
-  while (parent[v] != v) v = parent[v] = parent[parent[v]];
-  return v;
-}
-
 std::size_t weld_borders(Triangles& surface) {
   const std::vector<BorderEdge> edges = border_edges(surface, first_equal(surface.positions));
-  std::vector<std::uint32_t> parent(surface.positions.size());
-  std::iota(parent.begin(), parent.end(), std::uint32_t{0});
+  UnionFind sets(surface.positions.size());
   std::size_t welded = 0;
   for (std::size_t i = 0, end = 0; i < edges.size(); i = end) {
     while (end < edges.size() && edges[end].points == edges[i].points) ++end;
     if (end - i != 2) continue;
-    for (std::size_t k = 0; k < 2; ++k) {
-      const std::uint32_t a = root(parent, edges[i].vertices[k]);
-      const std::uint32_t b = root(parent, edges[i + 1].vertices[k]);
-      if (a != b) ++welded;
-      parent[std::max(a, b)] = std::min(a, b);
-    }
+    for (std::size_t k = 0; k < 2; ++k)
+      if (sets.join(edges[i].vertices[k], edges[i + 1].vertices[k])) ++welded;
   }
   for (Triangle& t : surface.triangles)
-    for (std::uint32_t& v : t) v = root(parent, v);
+    for (std::uint32_t& v : t) v = sets.root(v);
   return welded;
 }
 
 // Welding can make triangles degenerate or repeated, and dropping those can leave two border edges
-// where there were more: so on until nothing is left. Each round takes a triangle or a vertex away.
+// where there were more, so the steps are repeated until nothing is left to do. Each round takes a
+// triangle or a vertex away.
 void drop_and_weld(Triangles& surface, RepairReport& report) {
   std::size_t done = 0;
   do {
@@ -129,19 +119,19 @@ void drop_and_weld(Triangles& surface, RepairReport& report) {
 std::size_t split_fans(Triangles& surface) {
   const Corners corners(surface);
   const std::size_t vertices = surface.positions.size();
-  std::vector<std::uint32_t> parent(vertices);
+  UnionFind sets(vertices);
   std::size_t added = 0;
   for (std::size_t i = 0; i < vertices; ++i) {
     const auto v = static_cast<std::uint32_t>(i);
     const auto around = corners.of(v);
     for (const Corner& c : around) {
-      parent[c.next] = c.next;
-      parent[c.prev] = c.prev;
+      sets.separate(c.next);
+      sets.separate(c.prev);
     }
-    for (const Corner& c : around) parent[root(parent, c.next)] = root(parent, c.prev);
+    for (const Corner& c : around) sets.join_to(c.next, c.prev);
     std::vector<std::pair<std::uint32_t, std::uint32_t>> fans;  // root of a fan, its vertex
     for (const Corner& c : around) {
-      const std::uint32_t fan = root(parent, c.next);
+      const std::uint32_t fan = sets.root(c.next);
       auto found = std::find_if(fans.begin(), fans.end(), [&](auto& f) { return f.first == fan; });
       if (found == fans.end()) {
         const bool first = fans.empty();
@@ -176,30 +166,33 @@ std::size_t drop_unused(Triangles& surface) {
   return dropped;
 }
 
-void say(std::vector<std::string>& words, std::size_t count, const char* one, const char* many) {
-  if (count > 0) words.push_back(std::to_string(count) + " " + (count == 1 ? one : many));
-}
-
 }  // namespace
 
 bool RepairReport::changed() const { return !in_words().empty(); }
 
 std::vector<std::string> RepairReport::in_words() const {
+  struct Row {
+    std::size_t count;
+    const char *one, *many;
+  };
+  const Row rows[] = {
+      {degenerate_triangles, "triangle that used a vertex twice was dropped",
+       "triangles that used a vertex twice were dropped"},
+      {duplicate_triangles, "repeated triangle was dropped", "repeated triangles were dropped"},
+      {welded_vertices, "vertex was welded to another at the same point",
+       "vertices were welded to others at the same points"},
+      {turned_triangles, "triangle was turned to agree with its neighbours",
+       "triangles were turned to agree with their neighbours"},
+      {split_vertices, "vertex was added to part surfaces that met in a point",
+       "vertices were added to part surfaces that met in a point"},
+      {inside_out_components, "inside-out component was turned over",
+       "inside-out components were turned over"},
+      {isolated_vertices, "vertex without triangles was dropped",
+       "vertices without triangles were dropped"}};
   std::vector<std::string> words;
-  say(words, degenerate_triangles, "triangle that used a vertex twice was dropped",
-      "triangles that used a vertex twice were dropped");
-  say(words, duplicate_triangles, "repeated triangle was dropped",
-      "repeated triangles were dropped");
-  say(words, welded_vertices, "vertex was welded to another at the same point",
-      "vertices were welded to others at the same points");
-  say(words, turned_triangles, "triangle was turned to agree with its neighbours",
-      "triangles were turned to agree with their neighbours");
-  say(words, split_vertices, "vertex was added to part surfaces that met in a point",
-      "vertices were added to part surfaces that met in a point");
-  say(words, inside_out_components, "inside-out component was turned over",
-      "inside-out components were turned over");
-  say(words, isolated_vertices, "vertex without triangles was dropped",
-      "vertices without triangles were dropped");
+  for (const Row& r : rows)
+    if (r.count > 0)
+      words.push_back(std::to_string(r.count) + " " + (r.count == 1 ? r.one : r.many));
   return words;
 }
 
@@ -226,7 +219,7 @@ void require_usable(const Triangles& surface, const std::string& name) {
   throw InvalidInput(name + ": " + std::to_string(wrong.size()) +
                      (wrong.size() == 1 ? " component is" : " components are") +
                      " inside-out (negative volume), the first holds triangle " +
-                     std::to_string(wrong[0]) + "; --repair turns such components over");
+                     std::to_string(wrong[0]) + "; repair turns such components over");
 }
 
 }  // namespace suture

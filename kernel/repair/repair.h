@@ -1,4 +1,5 @@
-// Mending what has exactly one right answer, and refusing what the tracker cannot use.
+// Mending faults that have just one right answer, and refusing surfaces that the tracker cannot
+// use.
 #pragma once
 
 #include <string>
@@ -8,33 +9,34 @@
 
 namespace suture {
 
-/// What `repair` did, as counts.
+/// Counts of the changes that `repair` made.
 struct RepairReport {
-  std::size_t degenerate_triangles = 0;   ///< dropped: a vertex used twice
-  std::size_t duplicate_triangles = 0;    ///< dropped: the same three vertices as another
-  std::size_t welded_vertices = 0;        ///< gone into another at exactly the same point
-  std::size_t turned_triangles = 0;       ///< turned over to agree with their neighbours
-  std::size_t split_vertices = 0;         ///< vertices added where fans met in one point only
-  std::size_t inside_out_components = 0;  ///< turned over whole
-  std::size_t isolated_vertices = 0;      ///< dropped: in no triangle
+  std::size_t degenerate_triangles = 0;   ///< were dropped, as one vertex stood at two corners
+  std::size_t duplicate_triangles = 0;    ///< were dropped, as others had the same three vertices
+  std::size_t welded_vertices = 0;        ///< became one with another at exactly the same point
+  std::size_t turned_triangles = 0;       ///< were turned over to agree with their neighbours
+  std::size_t split_vertices = 0;         ///< were added where fans met in one point only
+  std::size_t inside_out_components = 0;  ///< were turned over whole
+  std::size_t isolated_vertices = 0;      ///< were dropped, as they were in no triangle
 
   bool changed() const;
-  /// One sentence for each thing done; empty where nothing was.
+  /// A sentence for each kind of change; empty where nothing was changed.
   std::vector<std::string> in_words() const;
 };
 
 /// Mends in place, in this order. Degenerate triangles go. Of triangles on the same three vertices
 /// one stays if an odd number of other triangles ends at their edges, else none: so a body whose
-/// triangles are all given twice goes as a whole, a known fault. Points are welded
-/// along pairs of border edges that coincide exactly, never elsewhere: closed surfaces that touch
-/// stay apart, and no third triangle is put on an edge. Then `orient_consistently`, a vertex for
-/// each fan, `inside_out_components` turned, isolated vertices dropped. What is left (open, three
-/// triangles on an edge) `audit` reports. A surface with coordinates that are not finite or indices
-/// out of range is left alone. Twice does what once does.
+/// triangles are all given twice goes as a whole, a known fault. Points are welded along pairs of
+/// border edges that coincide exactly, and only there: closed surfaces that touch stay apart, and
+/// no edge gets a third triangle. Triangles are oriented, each fan gets a vertex of its own,
+/// inside-out components are turned, and isolated vertices go. `audit` reports the faults that are
+/// left. A surface with coordinates that are not finite or indices out of range is left alone. A
+/// second repair finds nothing to do.
 RepairReport repair(Triangles& surface);
 
-/// \throw InvalidInput unless the surface is a closed manifold (`require_closed_manifold`) and no
-/// component is inside-out; the message says how many are, where the first is, and what to do
+/// Refuses all but closed manifolds (`require_closed_manifold`) without an inside-out component.
+/// \throw InvalidInput that says how many components are inside-out, where the first is, and what
+/// to do
 void require_usable(const Triangles& surface, const std::string& name);
 
 }  // namespace suture

@@ -1,7 +1,10 @@
-// Open addressing over the bits of the coordinates; only ever asked, never iterated.
+// Open addressing over the bits of the coordinates. The table is never iterated, so that the result
+// does not depend on the hash.
 #include "kernel/repair/weld.h"
 
 #include <bit>
+
+#include "kernel/hash.h"
 
 namespace suture {
 
@@ -11,8 +14,7 @@ std::uint64_t hash(const Point& p) {
   std::uint64_t h = 0;
   for (const double x : p) {
     const double merged = x == 0 ? 0.0 : x;  // one hash for both zeros
-    h = (h ^ std::bit_cast<std::uint64_t>(merged)) * 0x9e3779b97f4a7c15ULL;
-    h ^= h >> 29;
+    h = mixed(h, std::bit_cast<std::uint64_t>(merged));
   }
   return h;
 }

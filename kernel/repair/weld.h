@@ -7,7 +7,8 @@
 
 namespace suture {
 
-/// For each point, the index of the first one that equals it (−0 equals 0; NaN equals nothing).
+/// The index of the first point that equals it, for each point. −0 equals 0, and NaN equals
+/// nothing.
 std::vector<std::uint32_t> first_equal(const std::vector<Point>& points);
 
 }  // namespace suture

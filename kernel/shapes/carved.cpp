@@ -16,15 +16,16 @@ namespace {
 constexpr double kPi = std::numbers::pi;
 constexpr int kSweeps = 12;  // raises the angles on the walls; later ones change little
 
-// A flower of grooves about a direction: a wavy ring inside a round one, and a pit in the middle.
+// A flower of grooves about a direction has a wavy ring inside a round one, and a pit in the
+// middle.
 struct Rosette {
   Point axis, start, side;
   int petals = 0;
   double wave = 0, phase = 0;
 };
 
-// How deep the ornament is in each direction: rosettes on the corners of a turned icosahedron, and
-// grooves half-way between neighbouring rosettes.
+// The depth of the ornament in each direction. It has rosettes on the corners of a turned
+// icosahedron, and grooves half-way between neighbouring rosettes.
 class Ornament {
  public:
   explicit Ornament(const CarvedBallParameters& p) : half_(p.groove_width / 2) {
@@ -74,7 +75,7 @@ class Ornament {
     return kPetal * (1 + r.wave * std::cos(r.petals * around + r.phase));
   }
 
-  // Flat for half of the groove's half width, then a smooth wall up to its full one.
+  // A groove is flat for half of its half width, and a smooth wall rises over the other half.
   double groove(double away) const {
     const double t = std::clamp(2 - 2 * away / half_, 0.0, 1.0);
     return t * t * (3 - 2 * t);
@@ -88,9 +89,9 @@ class Ornament {
 
 Triangles carved_ball(const CarvedBallParameters& p) {
   require_positive("carved_ball: radius", p.radius);
-  require_range("carved_ball: depth", p.depth, 0, 0.6, "0 to 0.6 of the radius");
-  require_range("carved_ball: groove_width", p.groove_width, 0.01, 0.15,
-                "0.01 to 0.15 of the radius");
+  require_range("carved_ball: depth", p.depth, {0, 0.6, "0 to 0.6 of the radius"});
+  require_range("carved_ball: groove_width", p.groove_width,
+                {0.01, 0.15, "0.01 to 0.15 of the radius"});
   require_resolution("carved_ball", 4 * kPi * p.radius * p.radius, p.edge_length);
   Triangles ball = sphere({.radius = 1, .edge_length = p.edge_length / p.radius});
   const Ornament ornament(p);

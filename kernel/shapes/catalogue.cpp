@@ -1,10 +1,11 @@
-// The shapes by name, for the command line and scenes.
+// The table of the shapes: each parameter is bound to a member of its shape's struct.
 #include "kernel/shapes/catalogue.h"
 
 #include <cmath>
 #include <functional>
 
 #include "kernel/errors.h"
+#include "kernel/lattice.h"
 #include "kernel/shapes/shapes.h"
 
 namespace suture {
@@ -26,7 +27,7 @@ int whole(const std::string& name, double value) {
   return static_cast<int>(value);
 }
 
-// One parameter of the struct P: how it is read and written, with what a user is told of it.
+// One parameter of the struct P: how it is read and written, and its description for users.
 template <class P>
 struct Binding {
   Binding(double P::*member, std::string name_, std::string unit_, std::string meaning_)
@@ -66,8 +67,8 @@ Entry entry(const std::string& name, const std::string& meaning, Triangles (*mak
             std::vector<Binding<P>> bindings) {
   bindings.push_back({&P::edge_length, "edge_length", "length", "what the edges are about"});
   for (int a = 0; a < 3; ++a)
-    bindings.push_back({Coordinate<P>{&P::centre, a}, std::string(1, "xyz"[a]), "length",
-                        std::string("where its centre is along ") + "xyz"[a]});
+    bindings.push_back({Coordinate<P>{&P::centre, a}, kAxisName[a], "length",
+                        std::string("where its centre is along ") + kAxisName[a]});
   Entry e{{name, meaning, {}}, {}};
   for (const Binding<P>& b : bindings)
     e.info.parameters.push_back({b.name, b.read(P{}), b.unit, b.meaning});

@@ -1,4 +1,4 @@
-// The shapes by name, for the command line and scenes.
+// The shapes by name, with their parameters, for programs that let users choose.
 #pragma once
 
 #include <map>
@@ -13,21 +13,22 @@ namespace suture {
 /// (a part of the shape's own), "degrees", or "whole number".
 struct ShapeParameter {
   std::string name;
-  double value = 0;  ///< the default
+  double value = 0;  ///< its default
   std::string unit, meaning;
 };
 
+/// A shape's name and meaning, and the numbers that it takes.
 struct ShapeInfo {
   std::string name, meaning;
   std::vector<ShapeParameter> parameters;
 };
 
-/// All shapes with their parameters, in the order to list them.
+/// All shapes with their parameters, in the order in which to list them.
 const std::vector<ShapeInfo>& shape_catalogue();
 
-/// The shape of that name; parameters not given take their default.
-/// \throw InvalidInput for an unknown shape or parameter, listing what there is, and for a value
-/// out of its range or not a whole number where one is asked for
+/// Makes the shape of that name; parameters that are not given take their defaults.
+/// \throw InvalidInput for an unknown shape or parameter, with a list of those that there are, and
+/// for a value that is out of its range, or no whole number where one is asked for
 Triangles make_shape(const std::string& name, const std::map<std::string, double>& parameters);
 
 }  // namespace suture

@@ -1,4 +1,4 @@
-// What every shape asks of its parameters.
+// The checks that every shape makes of its parameters.
 #pragma once
 
 #include <cmath>
@@ -9,19 +9,25 @@
 
 namespace suture {
 
-/// \throw InvalidInput unless low <= value <= high (so not NaN either); `range` says it in words
-inline void require_range(const std::string& name, double value, double low, double high,
-                          const std::string& range) {
-  if (std::isfinite(value) && value >= low && value <= high) return;
-  throw InvalidInput(name + " is " + number(value) + "; it must be " + range);
+/// The values that a parameter may have, both ends included, and the same in words.
+struct AllowedRange {
+  double low, high;
+  std::string words;
+};
+
+/// \throw InvalidInput unless the value is in the range, as NaN never is
+inline void require_range(const std::string& name, double value, const AllowedRange& range) {
+  if (std::isfinite(value) && value >= range.low && value <= range.high) return;
+  throw InvalidInput(name + " is " + number(value) + "; it must be " + range.words);
 }
 
+/// \throw InvalidInput unless the value is a length whose powers are in the range of doubles
 inline void require_positive(const std::string& name, double value) {
-  require_range(name, value, 1e-150, 1e150, "a finite positive length (1e-150 to 1e150)");
+  require_range(name, value, {1e-150, 1e150, "a finite positive length (1e-150 to 1e150)"});
 }
 
-/// \throw InvalidInput unless the edge length is positive and the area then takes at most
-/// kMostTriangles triangles
+/// \throw InvalidInput unless the edge length is positive, and an area of that many squares of the
+/// same unit then takes at most kMostTriangles triangles
 inline void require_resolution(const std::string& shape, double area, double edge_length) {
   require_positive(shape + ": edge_length", edge_length);
   const double triangles = area / (std::sqrt(0.1875) * edge_length * edge_length);
@@ -31,20 +37,21 @@ inline void require_resolution(const std::string& shape, double area, double edg
                        " triangles; choose a longer one");
 }
 
-/// A shape's thinnest parts.
+/// A shape's thinnest parts, and the longest edges that still make them out.
 struct ThinParts {
   const char* name;
   double radius = 0;
-  double share = 1;  ///< of the radius: the longest edges that still make them out
+  double edge = 1;  ///< the longest edges, in radii
 };
+
 /// \throw InvalidInput where edges are longer
 inline void require_thin_edges(const std::string& shape, double edge_length,
                                const ThinParts& parts) {
-  const double longest = parts.share * parts.radius;
+  const double longest = parts.edge * parts.radius;
   if (edge_length > longest)
     throw InvalidInput(shape + ": edge_length " + std::to_string(edge_length) +
                        " is too long for its " + parts.name + "; choose at most " +
-                       number(parts.share) + " of their radius, " + std::to_string(longest));
+                       number(parts.edge) + " of their radius, " + std::to_string(longest));
 }
 
 }  // namespace suture

@@ -79,7 +79,7 @@ Triangles sheet(const SheetParameters& p) {
   require_positive("sheet: length", p.length);
   require_positive("sheet: width", p.width);
   require_positive("sheet: thickness", p.thickness);
-  require_range("sheet: bend", p.bend, -300, 300, "between -300 and 300 degrees");
+  require_range("sheet: bend", p.bend, {-300, 300, "between -300 and 300 degrees"});
   const double angle = p.bend * std::numbers::pi / 180, bend_radius = p.length / std::abs(angle);
   if (!(p.thickness < bend_radius))
     throw InvalidInput("sheet: thickness " + number(p.thickness) +

@@ -1,4 +1,4 @@
-// Better-shaped triangles without a new vertex: flips, and vertices that slide along the surface.
+// Every flip and every move must raise the smallest angle near it.
 #include "kernel/shapes/relax.h"
 
 #include <Eigen/Geometry>
@@ -34,7 +34,7 @@ class Patch {
     return flips;
   }
 
-  /// \param gain the factor by which a move must raise the worst shape round its vertex
+  /// Moves each inner vertex where that raises the worst shape round it by the factor `gain`.
   std::size_t move_all(double gain) {
     gather_stars();
     std::size_t moves = 0;
@@ -75,7 +75,8 @@ class Patch {
     if (g != kNone) opposite_[g] = h;
   }
 
-  // Whether an edge joins the source of `h` to `w`: walks its fan, both ways if it is open.
+  // Whether an edge joins the source of `h` to `w`. The walk goes round the fan, both ways if it is
+  // open.
   bool joined(std::uint32_t h, std::uint32_t w) const {
     std::uint32_t g = h;
     do {

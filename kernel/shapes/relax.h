@@ -1,4 +1,4 @@
-// Better-shaped triangles without a new vertex: flips, and vertices that slide along the surface.
+// Better-shaped triangles without new vertices, by flips and by sliding vertices along the surface.
 #pragma once
 
 #include <functional>
@@ -8,20 +8,24 @@
 
 namespace suture {
 
-/// What a triangle or vertex of a known smooth surface must satisfy.
+/// How often to relax, and which vertices and triangles the smooth surface allows.
 struct RelaxOptions {
-  int even_sweeps = 0;  ///< first: each vertex goes to the mean of its neighbours where admissible,
-                        ///< so that vertices spread from where they are dense
-  int sweeps = 10;      ///< then: flips, and moves that make no triangle's smallest angle worse
-  std::function<Point(const Point&)> project;  ///< a point near the surface to one on it
-  /// Whether a triangle may exist: true of all the given ones, and kept so. Chosen to imply that
-  /// the patch stays embedded, say "seen from the centre, counter-clockwise" on a star-shaped one.
+  /// The number of sweeps that come first. Each vertex goes to the mean of its neighbours where
+  /// that is admissible, so that vertices spread from where they are dense.
+  int even_sweeps = 0;
+  /// The number of sweeps that follow, with flips, and moves that make no smallest angle worse.
+  int sweeps = 10;
+  /// Takes a point near the surface to one on it.
+  std::function<Point(const Point&)> project;
+  /// Whether a triangle may exist. It holds for all the given ones and is kept so. It should imply
+  /// that the patch stays embedded, as "counter-clockwise seen from the centre" does on a
+  /// star-shaped surface.
   std::function<bool(const Point&, const Point&, const Point&)> admissible;
 };
 
-/// Raises the smallest angles of an oriented manifold patch, in place. Its border stays, edges and
-/// vertices. Deterministic.
-/// \pre `triangles` index `positions`, at most two at an edge, which run along it opposite ways
+/// Raises the smallest angles of an oriented manifold patch, in place. The edges and vertices of
+/// its border stay. The same input gives the same bits. \pre `triangles` index `positions`; at most
+/// two are at an edge, and run along it opposite ways
 void relax(std::vector<Point>& positions, std::span<Triangle> triangles,
            const RelaxOptions& options);
 

@@ -1,4 +1,4 @@
-// Rows of vertices, and the strips of triangles between them; surfaces of revolution.
+// Rows are zipped by the middles of their edges; neighbouring circles are staggered.
 #include "kernel/shapes/rings.h"
 
 #include <algorithm>
@@ -49,7 +49,7 @@ int edges_round(double radius, double edge_length, int least) {
 }
 
 std::vector<double> graded_steps(double length, const std::function<double(double)>& step) {
-  constexpr int kParts = 2000;  // of the integral of 1/step; its error only shifts the grading
+  constexpr int kParts = 2000;  // the integral of 1/step has; its error only shifts the grading
   std::vector<double> sum(kParts + 1, 0.0);
   const double part = length / kParts;
   for (int i = 0; i < kParts; ++i) sum[i + 1] = sum[i] + part / step((i + 0.5) * part);

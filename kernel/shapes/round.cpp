@@ -47,9 +47,10 @@ class DumbbellProfile {
   }
 
  private:
-  static constexpr double kGrowth = 0.25;  // of the edges, per length away from the neck
+  static constexpr double kGrowth = 0.25;  // of edges, in lengths per length away from the neck
 
-  // Along the neck, its fillet, then the ball, by arc length from the middle of the neck.
+  // The circle at the arc length s from the middle of the neck: on the neck, its fillet or the
+  // ball.
   Circle circle_at(double s) const {
     Circle c;
     const double fillet = turn_ * p_.fillet;
@@ -81,8 +82,8 @@ class DumbbellProfile {
 
 Triangles torus(const TorusParameters& p) {
   require_positive("torus: radius", p.radius);
-  require_range("torus: tube_radius", p.tube_radius, p.radius * 1e-3, p.radius * 0.95,
-                "0.001 to 0.95 of its radius");
+  require_range("torus: tube_radius", p.tube_radius,
+                {p.radius * 1e-3, p.radius * 0.95, "0.001 to 0.95 of its radius"});
   require_resolution("torus", 4 * kPi * kPi * p.radius * p.tube_radius, p.edge_length);
   const int rows = rows_along(2 * kPi * p.tube_radius, p.edge_length, 6);
   std::vector<Circle> circles;
@@ -113,10 +114,10 @@ Triangles cylinder(const CylinderParameters& p) {
 
 Triangles dumbbell(const DumbbellParameters& p) {
   require_positive("dumbbell: radius", p.radius);
-  require_range("dumbbell: neck_radius", p.neck_radius, p.radius * 1e-3, p.radius * 0.95,
-                "0.001 to 0.95 of its radius");
-  require_range("dumbbell: fillet", p.fillet, p.radius * 1e-3, p.radius * 1e3,
-                "0.001 to 1000 of its radius");
+  require_range("dumbbell: neck_radius", p.neck_radius,
+                {p.radius * 1e-3, p.radius * 0.95, "0.001 to 0.95 of its radius"});
+  require_range("dumbbell: fillet", p.fillet,
+                {p.radius * 1e-3, p.radius * 1e3, "0.001 to 1000 of its radius"});
   require_positive("dumbbell: distance", p.distance);
   require_resolution("dumbbell", 8 * kPi * p.radius * p.radius, p.edge_length);
   const DumbbellProfile profile(p);

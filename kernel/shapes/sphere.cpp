@@ -84,7 +84,7 @@ class Geodesic {
 Triangles sphere(const SphereParameters& p) {
   require_positive("sphere: radius", p.radius);
   const double pi = std::numbers::pi, most = std::floor(std::sqrt(kMostTriangles / 20));
-  require_range("sphere: frequency", p.frequency, 0, most, "0 to " + std::to_string(int(most)));
+  require_range("sphere: frequency", p.frequency, {0, most, "0 to " + std::to_string(int(most))});
   int frequency = p.frequency;
   if (frequency == 0) {
     const double area = 4 * pi * p.radius * p.radius;
@@ -92,7 +92,7 @@ Triangles sphere(const SphereParameters& p) {
     const double triangles = area / (std::sqrt(0.1875) * p.edge_length * p.edge_length);
     frequency = std::max(1, static_cast<int>(std::round(std::sqrt(triangles / 20))));
   }
-  require_range("sphere: exact_volume", p.exact_volume, 0, 1, "0 or 1");
+  require_range("sphere: exact_volume", p.exact_volume, {0, 1, "0 or 1"});
   Triangles surface = Geodesic(frequency, p.radius).take();
   if (p.exact_volume == 1) {
     const Triangles unit = Geodesic(frequency, 1).take();

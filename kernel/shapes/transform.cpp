@@ -1,4 +1,4 @@
-// Moving, scaling, turning and gathering whole surfaces.
+// Each transform refuses numbers that would leave a surface not finite or inside-out.
 #include "kernel/shapes/transform.h"
 
 #include <Eigen/Geometry>

@@ -18,8 +18,8 @@ namespace {
 constexpr double kPi = std::numbers::pi;
 const double kRow = std::sqrt(0.75);
 
-// The sphere is turned about x: rows are at constant x, angles run from +y to +z. Between the walls
-// a row ends on the floor. Each face of the surface is a patch of its own, so that its border is
+// The sphere is turned about x: rows are at constant x, and angles run from +y to +z. Between the
+// walls a row ends on the floor. Each face of the surface is a patch of its own, whose border is
 // the creases; patches share the vertices there.
 class SlottedSphere {
  public:
@@ -84,7 +84,7 @@ class SlottedSphere {
     return row;
   }
 
-  // Full rows between a wall and the pole beyond it, from the pole on.
+  // The full rows between a wall and the pole beyond it, the pole first.
   std::vector<Row> cap_rows(double side) {
     const double opening = std::acos(half_ / r_), start = -floor_angle(half_);
     const int count = parts(opening * r_, kRow * h_, 2);
@@ -228,10 +228,11 @@ class SlottedSphere {
 
 Triangles zalesak(const ZalesakParameters& p) {
   require_positive("zalesak: radius", p.radius);
-  require_range("zalesak: slot_width", p.slot_width, 0.01 * p.radius, p.radius,
-                "0.01 to 1 of the radius");
-  require_range("zalesak: slot_top", p.slot_top, -0.8 * p.radius, 0.8 * p.radius,
-                "within 0.8 of the radius from the centre's height");
+  require_range("zalesak: slot_width", p.slot_width,
+                {0.01 * p.radius, p.radius, "0.01 to 1 of the radius"});
+  require_range(
+      "zalesak: slot_top", p.slot_top,
+      {-0.8 * p.radius, 0.8 * p.radius, "within 0.8 of the radius from the centre's height"});
   require_resolution("zalesak", 8 * kPi * p.radius * p.radius, p.edge_length);
   return translated(SlottedSphere(p).take(), p.centre);
 }

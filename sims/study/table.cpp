@@ -8,6 +8,7 @@
 
 #include "kernel/errors.h"
 #include "kernel/files.h"
+#include "kernel/hash.h"
 #include "sims/support/csv.h"
 
 namespace suture::sims {
@@ -90,11 +91,7 @@ std::vector<Row> read_csv(const std::filesystem::path& file) {
   return rows;
 }
 
-std::string fingerprint(std::string_view bytes) {
-  std::uint64_t hash = 0xcbf29ce484222325ULL;
-  for (const char c : bytes) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3ULL;
-  return fmt::format("{:016x}", hash);
-}
+std::string fingerprint(std::string_view bytes) { return fmt::format("{:016x}", fnv1a(bytes)); }
 
 std::string fingerprint(const Triangles& surface) {
   const auto bytes = [](const auto& list) {

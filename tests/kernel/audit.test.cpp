@@ -44,7 +44,7 @@ TEST_CASE("one turned triangle has three misoriented edges") {
   CHECK(a.misoriented_edges == 3);
   CHECK(a.closed());
   CHECK_FALSE(a.closed_manifold());
-  CHECK_THROWS_WITH(require_closed_manifold(s, "c"), Contains("--repair"));
+  CHECK_THROWS_WITH(require_closed_manifold(s, "c"), Contains("repair orients"));
 }
 
 TEST_CASE("a fin on an edge makes it non-manifold") {

@@ -5,7 +5,6 @@
 #include <limits>
 
 #include "kernel/errors.h"
-#include "kernel/sparse_field.h"
 
 using namespace suture;
 using Catch::Matchers::Contains;
@@ -50,16 +49,4 @@ TEST_CASE("a lattice that cannot be held is refused in words") {
                     Contains("spacing of doubles"));
   CHECK_THROWS_AS(lattice_around({{nan, 0, 0}, {1, 1, 1}}, 0.1), InvalidInput);
   CHECK_THROWS_AS(Lattice({{{0, 1}, {0, 0}, {0, 1}}}), InvalidInput);
-}
-
-TEST_CASE("a sparse field keeps what it is given, in the order it was given") {
-  SparseField<int> field;
-  for (int i = 0; i < 1000; ++i) field[pack(i * 7919 % 1000, i, 3)] = i;
-  REQUIRE(field.size() == 1000);
-  for (int i = 0; i < 1000; ++i) {
-    CHECK(field.keys()[i] == pack(i * 7919 % 1000, i, 3));
-    REQUIRE(field.find(field.keys()[i]) != nullptr);
-    CHECK(*field.find(field.keys()[i]) == i);
-  }
-  CHECK(field.find(pack(0, 0, 4)) == nullptr);
 }

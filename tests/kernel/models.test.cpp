@@ -11,7 +11,7 @@
 #include "kernel/audit.h"
 #include "kernel/errors.h"
 #include "kernel/measure/measures.h"
-#include "kernel/repair/orientation.h"
+#include "kernel/repair/inside_out.h"
 #include "tests/paths.h"
 
 using namespace suture;
@@ -82,8 +82,7 @@ TEST_CASE("describe the meshes of $DESCRIBE for data/list_models", "[.describe]"
   const char* const folder = std::getenv("DESCRIBE");
   REQUIRE(folder != nullptr);
   for (const auto& entry : std::filesystem::directory_iterator(folder)) {
-    const std::string extension = entry.path().extension().string();
-    if (extension != ".off" && extension != ".obj" && extension != ".ply") continue;
+    if (!has_mesh_extension(entry.path())) continue;
     const Facts found = facts(entry.path());
     std::cout << "FACTS\t" << entry.path().filename().string() << '\t' << found.triangles << '\t'
               << found.condition << '\n';

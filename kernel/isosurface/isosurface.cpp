@@ -1,12 +1,12 @@
-// The zero surface of a smooth function by marching tetrahedra: closed, manifold, embedded.
-#include "kernel/shapes/isosurface.h"
+// The function is sampled on a dense grid first; the zeros on edges are then found by bisection.
+#include "kernel/isosurface/isosurface.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 
 #include "kernel/errors.h"
-#include "kernel/shapes/marching_tetrahedra.h"
+#include "kernel/isosurface/marching_tetrahedra.h"
 
 namespace suture {
 
@@ -29,9 +29,8 @@ class DenseGrid {
   }
 
   Triangles surface() const {
-    MarchingTetrahedra marching([this](const CubeCorner& from, const CubeCorner& to) {
-      return zero_between(place(from.node), place(to.node), from.value < 0);
-    });
+    MarchingTetrahedra marching(
+        [this](const CubeCorner& from, const CubeCorner& to) { return zero_between(from, to); });
     for (int k = 0; k + 1 < n_[2]; ++k)
       for (int j = 0; j + 1 < n_[1]; ++j)
         for (int i = 0; i + 1 < n_[0]; ++i) marching.add_cube(cube({i, j, k}));
@@ -67,9 +66,11 @@ class DenseGrid {
   }
 
   // Bisection keeps the zero bracketed. It stays off the ends, where vertices of other edges are.
-  Point zero_between(const Point& p, const Point& q, bool starts_inside) const {
+  Point zero_between(const CubeCorner& from, const CubeCorner& to) const {
+    const Point p = place(from.node), q = place(to.node);
+    const bool starts_inside = from.value < 0;
     constexpr int kHalvings = 30;
-    constexpr double kOffEnds = 1e-3;  // of the edge
+    constexpr double kOffEnds = 1e-3;  // in lengths of the edge
     double low = 0, high = 1;
     for (int k = 0; k < kHalvings; ++k) {
       const double middle = (low + high) / 2;

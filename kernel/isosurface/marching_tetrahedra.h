@@ -14,11 +14,11 @@ namespace suture {
 /// A node of the grid as a cube's corner.
 struct CubeCorner {
   Index3 node{};
-  std::uint64_t id = 0;  ///< the node's own, below 2⁶¹
+  std::uint64_t id = 0;  ///< one number for each node, below 2⁶¹
   double value = 0;      ///< negative inside; 0 counts as outside
 };
 
-/// Corner c of a cube is at (c & 1, c >> 1 & 1, c >> 2).
+/// The node at corner c of a cube, which is (c & 1, c >> 1 & 1, c >> 2) from the lowest one.
 inline Index3 cube_corner(const Index3& cube, int c) {
   return {cube[0] + (c & 1), cube[1] + (c >> 1 & 1), cube[2] + (c >> 2)};
 }
@@ -27,12 +27,14 @@ inline Index3 cube_corner(const Index3& cube, int c) {
 /// tetrahedra. Where all cubes come whose corners are not on one side, the surface is closed.
 class MarchingTetrahedra {
  public:
-  /// Where the surface crosses the edge between two nodes, one inside and one not: a point off both
-  /// ends. It is asked once for each edge, with the lower node first.
+  /// Gives the point where the surface crosses the edge between two nodes, one inside and one not,
+  /// off both ends. It is asked once for each edge, with the lower node first.
   using Place = std::function<Point(const CubeCorner& from, const CubeCorner& to)>;
 
   explicit MarchingTetrahedra(Place place) : place_(std::move(place)) {}
+  /// Adds the pieces in one cube. \pre the corners are in the order of cube_corner
   void add_cube(const std::array<CubeCorner, 8>& corners);
+  /// Hands the surface over.
   Triangles take() { return std::move(surface_); }
 
  private:
@@ -41,11 +43,12 @@ class MarchingTetrahedra {
   std::uint32_t vertex(const Corners& corners, int a, int b);
 
   Place place_;
-  SparseField<char> at_;  ///< position k: the edge of vertex k
+  SparseField<char> at_;  ///< its k-th key names the edge of vertex k
   Triangles surface_;
 };
 
-/// Where a linear function is zero between two nodes, as a part of the way, kept off the ends.
+/// Where a linear function with the values `from` and `to` at two nodes is zero: as a part of the
+/// way between them, from off_ends to 1 − off_ends. \pre the two values have opposite signs
 double linear_zero(double from, double to, double off_ends);
 
 }  // namespace suture

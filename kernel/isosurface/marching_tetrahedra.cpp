@@ -1,5 +1,5 @@
-// Marching tetrahedra, cube by cube, on values at nodes: closed, manifold, embedded [Kuhn 1960].
-#include "kernel/shapes/marching_tetrahedra.h"
+// The six tetrahedra of a cube share its diagonal, so that those of neighbouring cubes match.
+#include "kernel/isosurface/marching_tetrahedra.h"
 
 #include <algorithm>
 
@@ -7,8 +7,8 @@ namespace suture {
 
 namespace {
 
-// Each tetrahedron goes from corner 0 to 7 in three axis steps; swapped where needed so that all
-// are right-handed.
+// Each tetrahedron goes from corner 0 to 7 in three axis steps. Two corners are swapped where that
+// makes it right-handed.
 constexpr std::array<std::array<int, 4>, 6> kTetrahedra{
     {{0, 1, 3, 7}, {0, 3, 2, 7}, {0, 2, 6, 7}, {0, 6, 4, 7}, {0, 4, 5, 7}, {0, 5, 1, 7}}};
 
