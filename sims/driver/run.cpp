@@ -19,6 +19,7 @@
 #include "sims/output/colours.h"
 #include "sims/output/render.h"
 #include "sims/output/report_json.h"
+#include "sims/support/reproducer.h"
 #include "sims/support/version.h"
 
 namespace suture::sims {
@@ -34,7 +35,7 @@ class Run : public StepWatcher {
   Run(Scene& scene, const fs::path& folder)
       : scene_(scene),
         folder_(folder),
-        stepper_(make_steps(scene, with_reproducers(scene.tracker, folder))),
+        stepper_(make_steps(scene, scene.tracker)),
         freshness_(scene.surface.positions.size(), 0.0),
         resampled_(freshness_) {
     fading_ = scene.output.patch_fading > 0 ? scene.output.patch_fading : scene.time.end / 10;
@@ -84,11 +85,6 @@ class Run : public StepWatcher {
   }
 
  private:
-  static TrackerOptions with_reproducers(TrackerOptions options, const fs::path& folder) {
-    options.reproducers = folder / "reproducers";
-    return options;
-  }
-
   void make_folder() const {
     std::error_code error;
     fs::create_directories(folder_, error);
@@ -102,10 +98,13 @@ class Run : public StepWatcher {
   }
 
   void remodelled(const SurgeryReport& r) override {
-    note("remodels", to_json(r));
     ++summary_.remodels;
+    std::string reproducer;  // a refused surgery leaves the surface that it was given
+    if (r.outcome == Outcome::refused)
+      reproducer = save_reproducer(folder_ / "reproducers", summary_.remodels, surface()).string();
+    note("remodels", to_json(r, reproducer));
     if (r.outcome == Outcome::refused && summary_.refused++ == 0) {
-      summary_.reproducer = r.reproducer;
+      summary_.reproducer = reproducer;
       summary_.failure = r.failure;
     }
     if (r.outcome != Outcome::committed) return;
