@@ -1,12 +1,12 @@
 // The tracker's state, and what each call promises to leave behind [§3].
 #include "surgery/tracker.h"
 
-#include <numeric>
 #include <optional>
 #include <string>
 
 #include "kernel/audit.h"
 #include "kernel/errors.h"
+#include "kernel/lists.h"
 #include "predicates/floating_point.h"
 #include "surgery/advect.h"
 #include "surgery/detect/budget.h"
@@ -26,12 +26,6 @@ void require_in_range(const TrackerOptions& options) {
   check(options, tracker_options(), "");
   check(options.quality, quality_options(), "quality.");
   require_unit(options);
-}
-
-std::vector<std::uint32_t> identity(std::size_t n) {
-  std::vector<std::uint32_t> map(n);
-  std::iota(map.begin(), map.end(), 0U);
-  return map;
 }
 
 /// A remodel in the unit that suits the cells, or in the scene's own where a new vertex would have
@@ -135,7 +129,8 @@ QualityReport Tracker::improve(Trace* trace) {
   if (!found) found = improve_in_unit(was.surface, was.options, *was.oracle, 0);
   QualityReport& report = found->report;
   if (report.subdivisions + report.collapses.done + report.flips + report.flattened == 0) {
-    report.vertex_map = identity(surface().positions.size());  // what was tried has renumbered it
+    report.vertex_map =
+        identity_map(surface().positions.size());  // what was tried has renumbered it
     return std::move(report);
   }
   Triangles improved = to_triangles(found->mesh);
