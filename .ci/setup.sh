@@ -4,11 +4,11 @@ root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 build=$root/build
 
 packages=(g++ cmake ninja-build ccache mold libcgal-dev libgmp-dev libmpfr-dev libeigen3-dev
-  libcli11-dev libtomlplusplus-dev libspdlog-dev libfmt-dev nlohmann-json3-dev
+  libcli11-dev libtomlplusplus-dev libfmt-dev nlohmann-json3-dev
   libvtk9-dev libegl-dev libglew-dev libpng-dev bzip2 python3 gnuplot-nox
   libopenvdb-dev libboost-dev libboost-iostreams-dev libtbb-dev
   libhypre-dev libopenmpi-dev)
-test_packages=(catch2 clang-format)
+test_packages=(catch2 clang-format pkg-config)
 sanitizer_packages=(clang libclang-rt-dev)  # sanitizers and libFuzzer come with the second
 
 fail() {

@@ -62,7 +62,10 @@ TEST_CASE("vertices thrown at random by up to twenty cells are one tangle that s
     CAPTURE(reach);
     CHECK(tracker.remodel().outcome == Outcome::committed);
     CHECK(audit(tracker.surface()).closed_manifold());
-    CHECK(tracker.improve().shortest_edge >= 0);
+    const double crumpled = edge_lengths(tracker.surface()).shortest;
+    const QualityReport improved = tracker.improve();
+    CHECK(improved.shortest_edge == Approx(edge_lengths(tracker.surface()).shortest));
+    CHECK(improved.shortest_edge > crumpled);
     CHECK(audit(tracker.surface()).closed_manifold());
   }
 }

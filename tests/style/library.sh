@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# The library never prints, exits, or draws numbers that differ between machines.
+# The library never prints, exits, draws numbers that differ between machines, or names a program's
+# flags in its messages; and surgery writes no files.
 source "$(dirname "$0")/common.sh"
 
 check() {
@@ -14,12 +15,17 @@ check() {
         fault("the library ends the program; throw instead")
       if (/(^|[^a-z_])s?rand *\(/ || /random_device/ || /std::[a-z_]+_distribution/)
         fault("numbers that differ between machines; use kernel/random.h")
+      if (/"[^"]*--[a-z]/)
+        fault("a message names a flag; say what to do in words, and let the program name its flag")
+      if (FILENAME ~ /^surgery/ && (/<fstream>/ || /"kernel\/(files|formats\/[a-z_]+)\.h"/))
+        fault("surgery reads or writes files; its caller does")
     }')
 }
 
 self_test() {
   plant kernel/a.cpp <<<'  std::snprintf(text, 9, "%d", n);  // never std::cout'
-  plant sims/cli/main.cpp <<<'  std::cout << "hello";'
+  plant sims/cli/main.cpp <<<'  std::cout << "hello; --repair mends that";'
+  plant kernel/formats/mesh_io.cpp <<<'#include "kernel/files.h"'
   expect_clean
   plant surgery/b.cpp <<<'  std::cout << "hello";'
   expect_fault '^surgery/b.cpp:1: the library prints'
@@ -29,6 +35,10 @@ self_test() {
   expect_fault '^predicates/d.h:1: the library ends'
   plant kernel/e.cpp <<<'  std::uniform_real_distribution<double> u;'
   expect_fault '^kernel/e.cpp:1: numbers that differ'
+  plant kernel/f.cpp <<<'  throw InvalidInput("open; --repair mends that");'
+  expect_fault '^kernel/f.cpp:1: a message names a flag'
+  plant surgery/g.cpp <<<'#include "kernel/formats/mesh_io.h"'
+  expect_fault '^surgery/g.cpp:1: surgery reads or writes files'
 }
 
 main "$@"

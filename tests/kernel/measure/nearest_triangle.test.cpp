@@ -8,6 +8,7 @@
 #include "kernel/errors.h"
 #include "tests/kernel/tiny.h"
 #include "tests/models.h"
+#include "tests/skip.h"
 
 using namespace suture;
 
@@ -146,10 +147,7 @@ TEST_CASE("surfaces that cannot be asked are refused") {
 
 TEST_CASE("distances to the horse agree with all its triangles asked one by one", "[slow]") {
   const auto horse = classic("horse.ply");
-  if (!horse) {
-    WARN("horse.ply is not at hand: skipped");
-    return;
-  }
+  if (!horse) SUTURE_SKIP("horse.ply is not at hand");
   const NearestTriangle nearest(*horse);
   Dice dice(5);
   for (int i = 0; i < 20; ++i) {

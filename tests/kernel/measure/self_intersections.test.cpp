@@ -7,6 +7,7 @@
 #include "kernel/mesh.h"
 #include "tests/kernel/tiny.h"
 #include "tests/models.h"
+#include "tests/skip.h"
 
 using namespace suture;
 
@@ -90,9 +91,6 @@ TEST_CASE("the pairs are those of Polygon_mesh_processing on crumpled surfaces")
 
 TEST_CASE("the horse scan has four pairs of triangles that intersect", "[slow]") {
   const auto horse = classic("horse.ply");
-  if (!horse) {
-    WARN("horse.ply is not at hand: skipped");
-    return;
-  }
+  if (!horse) SUTURE_SKIP("horse.ply is not at hand");
   CHECK(self_intersections(*horse).pairs.size() == 4);
 }

@@ -10,6 +10,7 @@
 #include "kernel/repair/orientation.h"
 #include "tests/kernel/tiny.h"
 #include "tests/models.h"
+#include "tests/skip.h"
 
 using namespace suture;
 using Catch::Matchers::Contains;
@@ -201,10 +202,8 @@ TEST_CASE("3000 random surfaces are repaired without harm, and once is enough") 
 TEST_CASE("the classic horse, cow and bunny have the faults they are known for", "[slow]") {
   const auto horse = classic("horse.ply"), cow = classic("cow.obj"),
              bunny = classic("bunny-with-holes.obj");
-  if (!horse || !cow || !bunny) {
-    WARN("horse.ply, cow.obj or bunny-with-holes.obj is not at hand: skipped");
-    return;
-  }
+  if (!horse || !cow || !bunny)
+    SUTURE_SKIP("horse.ply, cow.obj or bunny-with-holes.obj is not at hand");
   CHECK_THROWS_WITH(require_usable(*horse, "horse"), Contains("inside-out"));
   CHECK(volume(*horse) == Approx(-2.63418e-4));
   Triangles s = *horse;
