@@ -14,7 +14,7 @@
 #include "sims/driver/stepper.h"
 #include "sims/study/surface_measures.h"
 #include "sims/study/table.h"
-#include "sims/support/process_pool.h"
+#include "sims/support/clock.h"
 
 namespace suture::sims {
 namespace {

@@ -1,50 +1,58 @@
-// A forked child that does something which may crash or hang, and writes what came of it.
+// A forked copy of this process that works by itself and says what it finds.
 #pragma once
 
 #include <sys/types.h>
 
 #include <functional>
+#include <limits>
 #include <string>
+#include <vector>
 
 namespace suture::sims {
 
-/// A running child; killed if it still runs when this goes.
-class Child {
+/// Sends a message, of any bytes, to the process that forked this one.
+using Say = std::function<void(const std::string& message)>;
+
+/// How a process ended, and what it used.
+struct Ended {
+  bool finished = false;     ///< its work returned, and every message arrived whole
+  bool out_of_time = false;  ///< it was ended for that
+  int signal = 0;            ///< that killed it, or 0
+  int exit_code = 0;
+  double cpu_seconds = 0, peak_megabytes = 0;
+  std::string said;  ///< its only message, where it has one; empty unless it finished
+
+  std::string words() const;  ///< why it did not finish; empty if it did
+};
+
+/// A running process; it is killed if it still runs when this goes.
+class Process {
  public:
-  /// Forks; the child calls work(fd) with the writing end of a pipe, and ends with exit code 0.
-  /// \pre one thread \throw InternalFailure if there is no process or pipe to be had
-  explicit Child(const std::function<void(int)>& work);
-  ~Child();
-  Child(Child&& other) noexcept;
-  Child& operator=(Child&&) = delete;
+  /// Forks. The copy does the work with at most so many MB of addresses and ends with exit code 0;
+  /// with 3 where the work throws a std::exception, whose words go to its standard error.
+  /// \pre this process has one thread \throw InvalidInput if the system allows no further process
+  explicit Process(const std::function<void(const Say&)>& work,
+                   double megabytes = std::numeric_limits<double>::infinity());
+  ~Process();
+  Process(Process&& other) noexcept;
+  Process& operator=(Process&&) = delete;
 
-  int fd() const { return fd_; }  ///< the reading end; never blocks
+  int pipe() const { return pipe_; }  ///< readable when messages or the end have come
+  double cpu_seconds() const;         ///< that it has used so far
+
+  /// Appends the messages that have come whole, without waiting. \return whether it still talks
+  bool hear(std::vector<std::string>& messages);
   void kill();
-
-  /// Waits for the end. \return how it died, in words; empty if it ended as it should
-  std::string wait();
-  double cpu_seconds() const;  ///< so far, or of all of its life after wait
+  Ended wait();  ///< for its end; once
 
  private:
   pid_t pid_ = -1;
-  int fd_ = -1;
-  double cpu_seconds_ = 0;
+  int pipe_ = -1;
+  std::string unread_;
 };
 
-/// Writes all of it. \throw InternalFailure if the other end has gone
-void write_all(int fd, const std::string& text);
-
-/// Whether something hangs: it has used more than the seconds allowed of a core, or ten times as
-/// long has passed, so that on a busy machine what only waits for its turn does not hang.
-constexpr bool hangs(double cpu_seconds, double passed, double allowed) {
-  return cpu_seconds > allowed || passed > 10 * allowed;
-}
-
-/// What `work` returned, run in a child; or how the child died.
-struct Isolated {
-  std::string text;
-  std::string death;  ///< "killed by signal 11", or "hang"; empty if all went well
-};
-Isolated run_isolated(const std::function<std::string()>& work, double seconds);
+/// Runs a program, found as a shell finds it, in a folder. \return its exit code, 127 if there is
+/// none
+int run_program(const std::vector<std::string>& arguments, const std::string& folder);
 
 }  // namespace suture::sims

@@ -1,47 +1,51 @@
 // Work done in processes of its own: what crashes, hangs or eats memory there, ends only there.
 #pragma once
 
-#include <functional>
-#include <limits>
-#include <string>
-#include <vector>
+#include <cstdint>
+#include <optional>
+
+#include "sims/support/process.h"
 
 namespace suture::sims {
 
+/// What processes may use.
 struct ProcessOptions {
   int jobs = 1;  ///< processes at a time, >= 1
-  /// CPU seconds after which one is ended; by the clock it has ten times that.
+  /// CPU seconds between two messages after which one is ended, as it hangs. By the clock it has
+  /// ten times that and a second more, so that one that only waits for its turn does not hang.
   double limit_seconds = std::numeric_limits<double>::infinity();
+  double limit_megabytes = std::numeric_limits<double>::infinity();  ///< of addresses, in 10⁶ bytes
 };
 
-/// How a piece of work ended.
-struct Ended {
-  std::string said;                            ///< what the work returned; empty unless it finished
-  bool finished = false;                       ///< the work returned
-  bool out_of_time = false;                    ///< it was ended for that
-  int signal = 0;                              ///< that killed it, or 0
-  double cpu_seconds = 0, peak_megabytes = 0;  ///< of the whole process
-
-  std::string words() const;  ///< why it did not finish
+/// Work for a process of its own. What it throws ends it, as Process says: catch what has a
+/// meaning.
+struct ProcessTask {
+  std::size_t id = 0;  ///< by which the client knows it
+  std::function<void(const Say&)> work;
 };
 
-/// Calls work(i) for each i of `order`, in that order, each in a forked copy of this process, and
-/// ended(i, how) here as each ends, in whatever order they do. What `work` throws counts as a
-/// crash: catch what has a meaning. \pre this process has one thread \throw InvalidInput if the
-/// system allows no further process
+/// Hands out tasks, and hears what they come to.
+class PoolClient {
+ public:
+  virtual ~PoolClient() = default;
+  virtual std::optional<ProcessTask> next() = 0;  ///< none: there is nothing to start now
+  virtual void heard(std::size_t id, const std::string& message) = 0;
+  virtual void ended(std::size_t id, const Ended& how) = 0;
+  virtual void waited() {}  ///< some ten times a second, and whenever something was heard
+};
+
+/// Runs the client's tasks until it has none and all have ended. Messages of a task come in their
+/// order; tasks end in any. \pre this process has one thread \throw InvalidInput if the system
+/// allows no further process; what the client throws ends all tasks
+void run_pool(PoolClient& client, const ProcessOptions& options);
+
+/// Calls work(i) for each i of `order`, in that order, each in a process, and ended(i, how) here as
+/// each ends, with what the work returned.
 void in_processes(const std::vector<std::size_t>& order, const ProcessOptions& options,
                   const std::function<std::string(std::size_t)>& work,
                   const std::function<void(std::size_t, const Ended&)>& ended);
 
-/// Runs a program, found as a shell finds it, in a folder. \return its exit code, 127 if there is
-/// none
-int run_program(const std::vector<std::string>& arguments, const std::string& folder);
-
-/// CPU seconds of this process since it began.
-double process_seconds();
-/// The most memory that this process has held so far, in MB (10⁶ bytes).
-double peak_megabytes();
-/// Lets peak_megabytes start from what is held now, where the system can.
-void forget_peak();
+/// Calls work() in a process.
+Ended in_process(const ProcessOptions& options, const std::function<std::string()>& work);
 
 }  // namespace suture::sims

@@ -6,7 +6,7 @@
 
 #include "kernel/errors.h"
 #include "kernel/measure/signed_distance.h"
-#include "sims/support/process_pool.h"
+#include "sims/support/clock.h"
 
 namespace suture::sims {
 namespace {
@@ -25,9 +25,7 @@ class MeshTracker : public SurfaceTracker {
       return;
     }
     distance_.reset();
-    const double start = process_seconds();
-    tracker_.advect(u, dt);
-    move_ += process_seconds() - start;
+    costs_.timed("move", [&] { tracker_.advect(u, dt); });
     remodelled_ = improved_ = false;
     ++steps_;
     if (due(schedule_.remodel_every)) remodel();
@@ -60,16 +58,7 @@ class MeshTracker : public SurfaceTracker {
   void watch(StepWatcher* watcher) override { watcher_ = watcher; }
   double time() const override { return tracker_.time() + gone_for_; }
 
-  TrackerCost cost() const override {
-    return {{{"move", move_}, {"remodel", remodel_}, {"improve", improve_}},
-            {{"remodels", remodels_},
-             {"surgeries_committed", committed_},
-             {"surgeries_refused", refused_},
-             {"cells_resampled", cells_},
-             {"subdivisions", subdivisions_},
-             {"collapses", collapses_},
-             {"flips", flips_}}};
-  }
+  TrackerCost cost() const override { return costs_; }
 
  private:
   bool due(int every) const { return every > 0 && steps_ % every == 0; }
@@ -78,29 +67,25 @@ class MeshTracker : public SurfaceTracker {
   void remodel() {
     if (vanished()) return;
     distance_.reset();
-    const double start = process_seconds();
-    const SurgeryReport report = tracker_.remodel();
-    remodel_ += process_seconds() - start;
+    const SurgeryReport report = costs_.timed("remodel", [&] { return tracker_.remodel(); });
     remodelled_ = true;
-    ++remodels_;
-    committed_ += report.outcome == Outcome::committed;
-    refused_ += report.outcome == Outcome::refused;
+    costs_.count("remodels");
+    if (report.outcome == Outcome::refused) costs_.count("surgeries_refused");
     if (watcher_ != nullptr) watcher_->remodelled(report);
     if (report.outcome != Outcome::committed) return;
     improved_ = false;
-    cells_ += static_cast<double>(report.marked.total());
+    costs_.count("surgeries_committed");
+    costs_.count("cells_resampled", static_cast<double>(report.marked.total()));
   }
 
   void improve() {
     if (vanished()) return;
     distance_.reset();
-    const double start = process_seconds();
-    const QualityReport report = tracker_.improve();
-    improve_ += process_seconds() - start;
+    const QualityReport report = costs_.timed("improve", [&] { return tracker_.improve(); });
     improved_ = true;
-    subdivisions_ += static_cast<double>(report.subdivisions);
-    collapses_ += static_cast<double>(report.collapses.done);
-    flips_ += static_cast<double>(report.flips);
+    costs_.count("subdivisions", static_cast<double>(report.subdivisions));
+    costs_.count("collapses", static_cast<double>(report.collapses.done));
+    costs_.count("flips", static_cast<double>(report.flips));
     if (watcher_ != nullptr) watcher_->improved(report);
   }
 
@@ -111,9 +96,14 @@ class MeshTracker : public SurfaceTracker {
   StepWatcher* watcher_ = nullptr;
   double gone_for_ = 0;                         ///< time since nothing was left
   bool remodelled_ = false, improved_ = false;  ///< since the last move
-  double move_ = 0, remodel_ = 0, improve_ = 0;
-  double remodels_ = 0, committed_ = 0, refused_ = 0, cells_ = 0;
-  double subdivisions_ = 0, collapses_ = 0, flips_ = 0;
+  Costs costs_{{{"move", 0}, {"remodel", 0}, {"improve", 0}},
+               {{"remodels", 0},
+                {"surgeries_committed", 0},
+                {"surgeries_refused", 0},
+                {"cells_resampled", 0},
+                {"subdivisions", 0},
+                {"collapses", 0},
+                {"flips", 0}}};
 };
 
 }  // namespace

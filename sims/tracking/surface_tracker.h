@@ -1,19 +1,15 @@
 // Any way to track a moving surface, seen alike: what a measurement or a solver asks of it.
 #pragma once
 
-#include <string>
-#include <utility>
 #include <vector>
 
+#include "sims/support/clock.h"
 #include "surgery/tracker.h"
 
 namespace suture::sims {
 
-/// What a tracker has spent so far: CPU seconds of this process by part of the work, and counts.
-struct TrackerCost {
-  std::vector<std::pair<std::string, double>> seconds;  ///< part of the work, in a fixed order
-  std::vector<std::pair<std::string, double>> counts;   ///< cells re-sampled, particles, …
-};
+/// What a tracker has spent so far, and counts such as cells re-sampled or particles.
+using TrackerCost = Costs;
 
 /// Told of each part of a step as it ends, before the motion hears of the changed surface.
 class StepWatcher {

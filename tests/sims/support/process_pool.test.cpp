@@ -4,10 +4,12 @@
 #include <unistd.h>
 
 #include <catch2/catch.hpp>
-#include <chrono>
 #include <csignal>
 #include <map>
 #include <numeric>
+#include <stdexcept>
+
+#include "sims/support/clock.h"
 
 using namespace suture;
 using namespace suture::sims;
@@ -24,6 +26,31 @@ std::map<std::size_t, Ended> ended(std::size_t count, const ProcessOptions& opti
                [&](std::size_t i, const Ended& e) { CHECK(all.emplace(i, e).second); });
   return all;
 }
+
+/// A client whose tasks count to their own number, a message each, and may end badly after it.
+class Counting : public PoolClient {
+ public:
+  explicit Counting(std::vector<std::function<void()>> ends) : ends_(std::move(ends)) {}
+  std::map<std::size_t, std::vector<std::string>> said;
+  std::map<std::size_t, Ended> over;
+  int waits = 0;
+
+ private:
+  std::optional<ProcessTask> next() override {
+    if (next_ == ends_.size()) return std::nullopt;
+    const std::size_t id = next_++;
+    return ProcessTask{id, [this, id](const Say& say) {
+                         for (std::size_t i = 0; i <= id; ++i) say(std::to_string(i));
+                         ends_[id]();
+                       }};
+  }
+  void heard(std::size_t id, const std::string& message) override { said[id].push_back(message); }
+  void ended(std::size_t id, const Ended& how) override { over[id] = how; }
+  void waited() override { ++waits; }
+
+  std::vector<std::function<void()>> ends_;
+  std::size_t next_ = 0;
+};
 
 }  // namespace
 
@@ -58,8 +85,8 @@ TEST_CASE("a crash, an exception and a silent exit end only their own process") 
 
 TEST_CASE("work that sleeps or spins is ended when its time is over") {
   const auto all = ended(3, {.jobs = 3, .limit_seconds = 0.05}, [](std::size_t i) -> std::string {
-    const auto start = std::chrono::steady_clock::now();
-    while (i == 0 && std::chrono::steady_clock::now() - start < std::chrono::seconds(60)) {
+    const Lap lap(wall_seconds);
+    while (i == 0 && lap.seconds() < 60) {
     }
     if (i == 1) sleep(60);
     return "well";
@@ -80,4 +107,82 @@ TEST_CASE("a process's peak memory is its own") {
   });
   CHECK(std::stod(all.at(0).said) < 50);
   CHECK(std::stod(all.at(1).said) == Approx(200).epsilon(0.1));
+}
+
+TEST_CASE("a task's messages come whole and in order, even if it crashes or hangs after them") {
+  const auto well = [] {};
+  Counting client({well, [] { std::raise(SIGKILL); }, well, [] { sleep(60); },
+                   [] { throw std::runtime_error("planted"); }});
+  run_pool(client, {.jobs = 2, .limit_seconds = 0.1});
+  REQUIRE(client.over.size() == 5);
+  for (std::size_t id = 0; id < 5; ++id) {
+    REQUIRE(client.said[id].size() == id + 1);
+    for (std::size_t i = 0; i <= id; ++i) CHECK(client.said[id][i] == std::to_string(i));
+    CHECK(client.over[id].finished == (id % 2 == 0 && id < 4));
+  }
+  CHECK(client.over[1].signal == SIGKILL);
+  CHECK_FALSE(client.over[1].out_of_time);
+  CHECK(client.over[3].out_of_time);
+  CHECK(client.over[4].words() == "ended with exit code 3");
+  CHECK(client.waits >= 5);
+}
+
+TEST_CASE("time counts from a task's last message, so that steady work may go on") {
+  std::vector<std::string> said;
+  Ended how;
+  class Steady : public PoolClient {
+   public:
+    Steady(std::vector<std::string>& said, Ended& how) : said_(said), how_(how) {}
+
+   private:
+    std::optional<ProcessTask> next() override {
+      if (std::exchange(begun_, true)) return std::nullopt;
+      return ProcessTask{0, [](const Say& say) {
+                           for (int i = 0; i < 8; ++i) {
+                             const Lap lap;
+                             while (lap.seconds() < 0.1) {
+                             }
+                             say("on");
+                           }
+                         }};
+    }
+    void heard(std::size_t, const std::string& message) override { said_.push_back(message); }
+    void ended(std::size_t, const Ended& how) override { how_ = how; }
+    std::vector<std::string>& said_;
+    Ended& how_;
+    bool begun_ = false;
+  } client(said, how);
+  run_pool(client, {.limit_seconds = 0.4});
+  CHECK(how.finished);
+  CHECK(said.size() == 8);
+  CHECK(how.cpu_seconds > 0.7);
+}
+
+TEST_CASE("memory beyond the limit is refused to the process that asks for it") {
+  const auto hold = [](std::size_t bytes) {
+    return in_process({.limit_megabytes = 4000}, [bytes] {
+      const std::vector<char> held(bytes, 'x');
+      return std::string(1, held[bytes / 2]);
+    });
+  };
+  CHECK(hold(100000000).said == "x");
+  const Ended refused = hold(5000000000);
+  CHECK_FALSE(refused.finished);
+  CHECK(refused.words() == "ended with exit code 3");
+}
+
+TEST_CASE("a client that throws ends its tasks") {
+  class Throwing : public PoolClient {
+    std::optional<ProcessTask> next() override {
+      return ProcessTask{0, [](const Say& say) {
+                           say("on");
+                           sleep(60);
+                         }};
+    }
+    void heard(std::size_t, const std::string&) override { throw std::runtime_error("planted"); }
+    void ended(std::size_t, const Ended&) override {}
+  } client;
+  const Lap lap(wall_seconds);
+  CHECK_THROWS_AS(run_pool(client, {.jobs = 3}), std::runtime_error);
+  CHECK(lap.seconds() < 30);
 }

@@ -7,7 +7,7 @@
 
 #include "kernel/errors.h"
 #include "kernel/shapes/transform.h"
-#include "sims/support/process_pool.h"
+#include "sims/support/clock.h"
 #include "tests/sims/fluid/drops.h"
 #include "tests/sims/fluid/liquids.h"
 
@@ -167,11 +167,11 @@ TEST_CASE("drops have the band round them, and a thousand a wide one at the pric
       surface, [](const Point&) { return 0.3; }, Point::Zero(), 1);  // asked far from the surface
   REQUIRE(cells.drops.size() == 1000);
   const int band = 40;
-  const double start = process_seconds();
+  const Lap lap;
   forget_peak();
   const double held = peak_megabytes();
   const SparseGrid grid = grid_round(cells, band);
-  const double seconds = process_seconds() - start, megabytes = peak_megabytes() - held;
+  const double seconds = lap.seconds(), megabytes = peak_megabytes() - held;
   CAPTURE(seconds, megabytes);
   CHECK(seconds < 2);  // measured: 0.4, and 3 MB
   CHECK(megabytes < 50);
