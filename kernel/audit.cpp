@@ -3,10 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 #include "kernel/corners.h"
 #include "kernel/errors.h"
+#include "kernel/union_find.h"
 
 namespace suture {
 
@@ -153,28 +155,25 @@ class Auditor {
   // A vertex is non-manifold where its triangles, joined through shared edges, fall into parts.
   void check_fans(std::uint32_t v) {
     const auto around = corners_.of(v);
+    if (!fans_) fans_.emplace(surface_.positions.size());
     for (const Corner& c : around) {
-      neighbours_[c.next].after = c.next;
-      neighbours_[c.prev].after = c.prev;
+      fans_->separate(c.next);
+      fans_->separate(c.prev);
     }
-    for (const Corner& c : around) neighbours_[root(c.next)].after = root(c.prev);
-    const std::uint32_t whole = root(around[0].next);
+    for (const Corner& c : around) fans_->join_to(c.next, c.prev);
+    const std::uint32_t whole = fans_->root(around[0].next);
     for (const Corner& c : around)
-      if (root(c.next) != whole) {
+      if (fans_->root(c.next) != whole) {
         count(audit_.non_manifold_vertices, places_.vertex,
               [&] { return "vertex " + std::to_string(v); });
         return;
       }
   }
-  std::uint32_t root(std::uint32_t v) {
-    while (neighbours_[v].after != v)
-      v = neighbours_[v].after = neighbours_[neighbours_[v].after].after;
-    return v;
-  }
 
   const Triangles& surface_;
   Corners corners_;
   std::vector<Neighbour> neighbours_;
+  std::optional<UnionFind> fans_;  // made for the first vertex that is not regular
   std::vector<std::uint8_t> used_;
   Audit audit_;
   Places places_;

@@ -10,8 +10,6 @@ namespace suture {
 
 namespace {
 
-constexpr const char* kAxisName[3] = {"x", "y", "z"};
-
 std::vector<double> planes_between(double low, double high, double cell, double origin, int margin,
                                    int axis) {
   const double first = std::floor((low - origin) / cell) - margin;

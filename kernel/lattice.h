@@ -33,6 +33,8 @@ constexpr LatticeId step(LatticeId id, int axis, int steps) {
   return id + static_cast<LatticeId>(static_cast<std::int64_t>(steps) *
                                      (std::int64_t{1} << (kIndexBits * (2 - axis))));
 }
+
+inline constexpr const char* kAxisName[3] = {"x", "y", "z"};
 constexpr int next_axis(int axis) { return axis == 2 ? 0 : axis + 1; }
 constexpr int prev_axis(int axis) { return axis == 0 ? 2 : axis - 1; }
 

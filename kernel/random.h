@@ -1,22 +1,20 @@
-// A portable seeded generator: the same numbers on every machine and library.
+// A portable seeded generator, and what is drawn with it: the same on every machine and library.
 #pragma once
 
 #include <cstdint>
+#include <utility>
+#include <vector>
+
+#include "kernel/hash.h"
 
 namespace suture {
 
-/// SplitMix64 (Steele, Lea and Flood 2014). Any seed will do, zero too.
+/// SplitMix64 [Steele, Lea and Flood 2014]. Any seed will do, zero too.
 class Random {
  public:
   explicit Random(std::uint64_t seed) : state_(seed) {}
 
-  std::uint64_t next() {
-    state_ += 0x9e3779b97f4a7c15ULL;
-    std::uint64_t z = state_;
-    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9ULL;
-    z = (z ^ (z >> 27)) * 0x94d049bb133111ebULL;
-    return z ^ (z >> 31);
-  }
+  std::uint64_t next() { return spread(state_ += kGoldenStep); }
 
   /// Uniform in [0, 1), a multiple of 2⁻⁵³.
   double uniform() { return static_cast<double>(next() >> 11) * 0x1p-53; }
@@ -28,5 +26,12 @@ class Random {
  private:
   std::uint64_t state_;
 };
+
+/// Puts the items into an order in which each is equally likely [Fisher and Yates; Durstenfeld
+/// 1964].
+template <class T>
+void shuffle(std::vector<T>& items, Random& random) {
+  for (std::size_t i = items.size(); i > 1; --i) std::swap(items[i - 1], items[random.below(i)]);
+}
 
 }  // namespace suture

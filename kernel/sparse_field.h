@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "kernel/hash.h"
 #include "kernel/lattice.h"
 
 namespace suture {
@@ -24,7 +25,7 @@ class SparseField {
   const T* find(LatticeId id) const {
     if (slots_.empty()) return nullptr;
     const std::uint32_t at = slots_[slot(id)];
-    return at == kEmpty ? nullptr : &values_[at];
+    return at == kNone ? nullptr : &values_[at];
   }
   T* find(LatticeId id) { return const_cast<T*>(static_cast<const SparseField*>(this)->find(id)); }
   bool contains(LatticeId id) const { return find(id) != nullptr; }
@@ -36,7 +37,7 @@ class SparseField {
   std::size_t index(LatticeId id) {
     if (2 * (keys_.size() + 1) > slots_.size()) grow();
     const std::size_t s = slot(id);
-    if (slots_[s] == kEmpty) {
+    if (slots_[s] == kNone) {
       slots_[s] = static_cast<std::uint32_t>(keys_.size());
       keys_.push_back(id);
       values_.emplace_back();
@@ -45,18 +46,14 @@ class SparseField {
   }
 
  private:
-  static constexpr std::uint32_t kEmpty = 0xffffffffU;
-
   std::size_t slot(LatticeId id) const {
-    std::uint64_t h = id * 0x9e3779b97f4a7c15ULL;
-    h ^= h >> 32;
     const std::size_t mask = slots_.size() - 1;
-    std::size_t s = static_cast<std::size_t>(h) & mask;
-    while (slots_[s] != kEmpty && keys_[slots_[s]] != id) s = (s + 1) & mask;
+    std::size_t s = static_cast<std::size_t>(mixed(0, id)) & mask;
+    while (slots_[s] != kNone && keys_[slots_[s]] != id) s = (s + 1) & mask;
     return s;
   }
   void grow() {
-    slots_.assign(slots_.empty() ? 16 : 2 * slots_.size(), kEmpty);
+    slots_.assign(slots_.empty() ? 16 : 2 * slots_.size(), kNone);
     for (std::size_t i = 0; i < keys_.size(); ++i)
       slots_[slot(keys_[i])] = static_cast<std::uint32_t>(i);
   }

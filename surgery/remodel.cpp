@@ -5,10 +5,10 @@
 
 #include <cmath>
 #include <numbers>
-#include <numeric>
 
 #include "kernel/audit.h"
 #include "kernel/errors.h"
+#include "kernel/lists.h"
 #include "kernel/measure/measures.h"
 #include "surgery/collapse/local_change.h"
 #include "surgery/collapse/paper_order.h"
@@ -272,12 +272,6 @@ void detect_and_operate(Surface& surface, const TrackerOptions& options, const O
           options, oracle, report, clock);
 }
 
-std::vector<std::uint32_t> identity(std::size_t n) {
-  std::vector<std::uint32_t> map(n);
-  std::iota(map.begin(), map.end(), 0U);
-  return map;
-}
-
 /// The surface without some of its triangles, whole components of them. \return old vertex → new
 std::vector<std::uint32_t> drop(const std::vector<std::uint32_t>& triangles, Surface& surface) {
   surface.mesh.set_recycle_garbage(false);
@@ -349,7 +343,7 @@ SurgeryReport remodel_as_it_is(Surface& surface, const TrackerOptions& options,
     measure_after(surface, report);
     clock.ended("measure");
   } else {
-    report.vertex_map = identity(vertices);
+    report.vertex_map = identity_map(vertices);
   }
   return report;
 }

@@ -2,13 +2,13 @@
 #include "surgery/tracker.h"
 
 #include <cmath>
-#include <numeric>
 #include <optional>
 #include <string>
 
 #include "kernel/audit.h"
 #include "kernel/errors.h"
 #include "kernel/formats/mesh_io.h"
+#include "kernel/lists.h"
 #include "predicates/floating_point.h"
 #include "surgery/advect.h"
 #include "surgery/detect/budget.h"
@@ -49,12 +49,6 @@ void require_in_range(const TrackerOptions& o) {
         "is above 0 and at most 1, angles 0 to 180 degrees (smallest at most 60, largest at "
         "least), "
         "chord_error, volume_bound and passes 0 or more");
-}
-
-std::vector<std::uint32_t> identity(std::size_t n) {
-  std::vector<std::uint32_t> map(n);
-  std::iota(map.begin(), map.end(), 0U);
-  return map;
 }
 
 /// A remodel in the unit that suits the cells, or in the scene's own where a new vertex would have
@@ -169,7 +163,8 @@ QualityReport Tracker::improve(Trace* trace) {
   if (!found) found = improve_in_unit(was.surface, was.options, *was.oracle, 0);
   QualityReport& report = found->report;
   if (report.subdivisions + report.collapses.done + report.flips + report.flattened == 0) {
-    report.vertex_map = identity(surface().positions.size());  // what was tried has renumbered it
+    report.vertex_map =
+        identity_map(surface().positions.size());  // what was tried has renumbered it
     return std::move(report);
   }
   Triangles improved = to_triangles(found->mesh);

@@ -19,22 +19,29 @@ struct Format {
   Triangles (*parse)(std::string_view, const std::string&);
   std::string (*format)(const Triangles&);
 };
-constexpr Format kFormats[] = {{".obj", parse_obj, format_obj},
-                               {".off", parse_off, format_off},
-                               {".ply", parse_ply, format_ply},
-                               {".stl", parse_stl, format_stl}};
+constexpr Format kFormats[] = {{kMeshExtensions[0], parse_ply, format_ply},
+                               {kMeshExtensions[1], parse_obj, format_obj},
+                               {kMeshExtensions[2], parse_off, format_off},
+                               {kMeshExtensions[3], parse_stl, format_stl}};
+static_assert(std::size(kFormats) == std::size(kMeshExtensions));
 
-const Format& format_of(const std::filesystem::path& path) {
+/// In lower case.
+std::string extension_of(const std::filesystem::path& path) {
   std::string extension = path.extension().string();
   std::transform(extension.begin(), extension.end(), extension.begin(), [](char c) {
     return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
   });
+  return extension;
+}
+
+const Format& format_of(const std::filesystem::path& path) {
+  const std::string extension = extension_of(path);
   for (const Format& f : kFormats)
     if (f.extension == extension) return f;
   throw InvalidInput(path.string() + ": " +
                      (extension.empty() ? "the name has no extension"
                                         : "the extension '" + extension + "' is unknown") +
-                     "; use .obj, .off, .ply or .stl");
+                     "; use " + mesh_extensions_in_words());
 }
 
 void require_readable_again(const Triangles& surface, const std::string& name) {
@@ -52,6 +59,19 @@ void require_readable_again(const Triangles& surface, const std::string& name) {
 }
 
 }  // namespace
+
+std::string mesh_extensions_in_words() {
+  std::string words;
+  for (const std::string_view extension : kMeshExtensions) {
+    if (!words.empty()) words += extension == std::end(kMeshExtensions)[-1] ? " or " : ", ";
+    words += extension;
+  }
+  return words;
+}
+
+bool has_mesh_extension(const std::filesystem::path& path) {
+  return std::ranges::find(kMeshExtensions, extension_of(path)) != std::end(kMeshExtensions);
+}
 
 Triangles read_triangles(const std::filesystem::path& path) {
   const Format& format = format_of(path);

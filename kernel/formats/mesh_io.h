@@ -2,10 +2,21 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
+#include <string_view>
 
 #include "kernel/triangles.h"
 
 namespace suture {
+
+/// The extensions of mesh files, in the order in which files of one name are preferred.
+inline constexpr std::string_view kMeshExtensions[] = {".ply", ".obj", ".off", ".stl"};
+
+/// All of them as messages list them: ".ply, .obj, .off or .stl".
+std::string mesh_extensions_in_words();
+
+/// Whether the name ends in one of them, in letters of either case.
+bool has_mesh_extension(const std::filesystem::path& path);
 
 /// The mesh in a file, its format by the extension: .obj, .off, .ply (text or binary) or .stl (text
 /// or binary; exactly equal points are welded). Polygons are triangulated; whether the

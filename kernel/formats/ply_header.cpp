@@ -4,6 +4,8 @@
 #include <array>
 #include <utility>
 
+#include "kernel/lattice.h"
+
 namespace suture {
 
 namespace {
@@ -77,7 +79,7 @@ void require_surface(const PlyHeader& header, const TextLines& text) {
   for (const PlyElement& e : header.elements) {
     if (e.name == "vertex") {
       ++vertices;
-      for (const char* axis : {"x", "y", "z"})
+      for (const char* axis : kAxisName)
         if (e.find(axis) == e.properties.size() || e.properties[e.find(axis)].list)
           throw text.refusal(std::string("the vertices have no coordinate ") + axis,
                              "export the mesh with x, y and z");

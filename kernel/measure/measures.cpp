@@ -9,6 +9,7 @@
 
 #include "kernel/corners.h"
 #include "kernel/lattice.h"
+#include "kernel/union_find.h"
 
 namespace suture {
 
@@ -44,11 +45,6 @@ void for_each_edge(const Triangles& surface, F f) {
 double angle(const Point& a, const Point& b, const Point& c) {
   const Point u = b - a, v = c - a;
   return std::atan2(u.cross(v).norm(), u.dot(v)) * kDegrees;
-}
-
-std::uint32_t root(std::vector<std::uint32_t>& parent, std::uint32_t v) {
-  while (parent[v] != v) v = parent[v] = parent[parent[v]];
-  return v;
 }
 
 }  // namespace
@@ -88,18 +84,14 @@ std::int64_t euler_characteristic(const Triangles& surface) {
 }
 
 Components components(const Triangles& surface) {
-  std::vector<std::uint32_t> parent(surface.positions.size());
-  for (std::size_t v = 0; v < parent.size(); ++v) parent[v] = static_cast<std::uint32_t>(v);
+  UnionFind sets(surface.positions.size());
   for (const Triangle& t : surface.triangles)
-    for (const int i : {1, 2}) {
-      const std::uint32_t a = root(parent, t[0]), b = root(parent, t[i]);
-      parent[std::max(a, b)] = std::min(a, b);
-    }
+    for (const int i : {1, 2}) sets.join(t[0], t[i]);
   Components result;
-  std::vector<std::uint32_t> number(parent.size(), kNone);
+  std::vector<std::uint32_t> number(sets.size(), kNone);
   result.of_triangle.reserve(surface.triangles.size());
   for (const Triangle& t : surface.triangles) {
-    std::uint32_t& n = number[root(parent, t[0])];
+    std::uint32_t& n = number[sets.root(t[0])];
     if (n == kNone) n = static_cast<std::uint32_t>(result.count++);
     result.of_triangle.push_back(n);
   }

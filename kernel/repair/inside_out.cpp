@@ -6,14 +6,13 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
-#include <numeric>
 
 #include "kernel/corners.h"
 #include "kernel/lattice.h"
+#include "kernel/lists.h"
 #include "kernel/measure/measures.h"
 #include "kernel/mesh.h"
 #include "kernel/repair/orientation.h"
-#include "kernel/sort_unique.h"
 
 namespace suture {
 
@@ -166,8 +165,7 @@ std::vector<std::uint32_t> inside_out_components(const Triangles& surface) {
   for (std::size_t i = 0; i < parts.size(); ++i)
     for (std::size_t j = 0; j < parts.size(); ++j)
       if (i != j && inside(surface, parts[i], parts[j])) round[i].push_back(j);
-  std::vector<std::size_t> order(parts.size());
-  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::vector<std::size_t> order = identity_map<std::size_t>(parts.size());
   std::stable_sort(order.begin(), order.end(),
                    [&](std::size_t a, std::size_t b) { return round[a].size() < round[b].size(); });
   std::vector<std::uint8_t> wrong(parts.size(), 0);

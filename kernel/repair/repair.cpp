@@ -3,13 +3,13 @@
 
 #include <algorithm>
 #include <array>
-#include <numeric>
 
 #include "kernel/audit.h"
 #include "kernel/corners.h"
 #include "kernel/errors.h"
 #include "kernel/repair/orientation.h"
 #include "kernel/repair/weld.h"
+#include "kernel/union_find.h"
 
 namespace suture {
 
@@ -85,28 +85,18 @@ std::vector<BorderEdge> border_edges(const Triangles& surface,
   return result;
 }
 
-std::uint32_t root(std::vector<std::uint32_t>& parent, std::uint32_t v) {
-  while (parent[v] != v) v = parent[v] = parent[parent[v]];
-  return v;
-}
-
 std::size_t weld_borders(Triangles& surface) {
   const std::vector<BorderEdge> edges = border_edges(surface, first_equal(surface.positions));
-  std::vector<std::uint32_t> parent(surface.positions.size());
-  std::iota(parent.begin(), parent.end(), std::uint32_t{0});
+  UnionFind sets(surface.positions.size());
   std::size_t welded = 0;
   for (std::size_t i = 0, end = 0; i < edges.size(); i = end) {
     while (end < edges.size() && edges[end].points == edges[i].points) ++end;
     if (end - i != 2) continue;
-    for (std::size_t k = 0; k < 2; ++k) {
-      const std::uint32_t a = root(parent, edges[i].vertices[k]);
-      const std::uint32_t b = root(parent, edges[i + 1].vertices[k]);
-      if (a != b) ++welded;
-      parent[std::max(a, b)] = std::min(a, b);
-    }
+    for (std::size_t k = 0; k < 2; ++k)
+      if (sets.join(edges[i].vertices[k], edges[i + 1].vertices[k])) ++welded;
   }
   for (Triangle& t : surface.triangles)
-    for (std::uint32_t& v : t) v = root(parent, v);
+    for (std::uint32_t& v : t) v = sets.root(v);
   return welded;
 }
 
@@ -129,19 +119,19 @@ void drop_and_weld(Triangles& surface, RepairReport& report) {
 std::size_t split_fans(Triangles& surface) {
   const Corners corners(surface);
   const std::size_t vertices = surface.positions.size();
-  std::vector<std::uint32_t> parent(vertices);
+  UnionFind sets(vertices);
   std::size_t added = 0;
   for (std::size_t i = 0; i < vertices; ++i) {
     const auto v = static_cast<std::uint32_t>(i);
     const auto around = corners.of(v);
     for (const Corner& c : around) {
-      parent[c.next] = c.next;
-      parent[c.prev] = c.prev;
+      sets.separate(c.next);
+      sets.separate(c.prev);
     }
-    for (const Corner& c : around) parent[root(parent, c.next)] = root(parent, c.prev);
+    for (const Corner& c : around) sets.join_to(c.next, c.prev);
     std::vector<std::pair<std::uint32_t, std::uint32_t>> fans;  // root of a fan, its vertex
     for (const Corner& c : around) {
-      const std::uint32_t fan = root(parent, c.next);
+      const std::uint32_t fan = sets.root(c.next);
       auto found = std::find_if(fans.begin(), fans.end(), [&](auto& f) { return f.first == fan; });
       if (found == fans.end()) {
         const bool first = fans.empty();

@@ -3,6 +3,8 @@
 
 #include <bit>
 
+#include "kernel/hash.h"
+
 namespace suture {
 
 namespace {
@@ -11,8 +13,7 @@ std::uint64_t hash(const Point& p) {
   std::uint64_t h = 0;
   for (const double x : p) {
     const double merged = x == 0 ? 0.0 : x;  // one hash for both zeros
-    h = (h ^ std::bit_cast<std::uint64_t>(merged)) * 0x9e3779b97f4a7c15ULL;
-    h ^= h >> 29;
+    h = mixed(h, std::bit_cast<std::uint64_t>(merged));
   }
   return h;
 }

@@ -5,6 +5,7 @@
 #include <functional>
 
 #include "kernel/errors.h"
+#include "kernel/lattice.h"
 #include "kernel/shapes/shapes.h"
 
 namespace suture {
@@ -66,8 +67,8 @@ Entry entry(const std::string& name, const std::string& meaning, Triangles (*mak
             std::vector<Binding<P>> bindings) {
   bindings.push_back({&P::edge_length, "edge_length", "length", "what the edges are about"});
   for (int a = 0; a < 3; ++a)
-    bindings.push_back({Coordinate<P>{&P::centre, a}, std::string(1, "xyz"[a]), "length",
-                        std::string("where its centre is along ") + "xyz"[a]});
+    bindings.push_back({Coordinate<P>{&P::centre, a}, kAxisName[a], "length",
+                        std::string("where its centre is along ") + kAxisName[a]});
   Entry e{{name, meaning, {}}, {}};
   for (const Binding<P>& b : bindings)
     e.info.parameters.push_back({b.name, b.read(P{}), b.unit, b.meaning});

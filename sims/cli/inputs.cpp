@@ -51,11 +51,9 @@ void require_folder_of(const std::filesystem::path& file) {
 }
 
 void require_writable_mesh(const std::filesystem::path& file) {
-  const std::string extension = extension_of(file);
-  for (const char* known : {".ply", ".obj", ".off", ".stl"})
-    if (extension == known) return require_folder_of(file);
+  if (has_mesh_extension(file)) return require_folder_of(file);
   throw InvalidInput(file.string() + ": a mesh cannot be written with the extension \"" +
-                     extension + "\"; use .ply, .obj, .off or .stl");
+                     extension_of(file) + "\"; use " + mesh_extensions_in_words());
 }
 
 void require_writable_picture(const std::filesystem::path& file) {

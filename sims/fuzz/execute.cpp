@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "kernel/errors.h"
+#include "kernel/hash.h"
 #include "kernel/measure/measures.h"
 #include "kernel/random.h"
 #include "sims/flows/motion.h"
@@ -89,13 +90,8 @@ void displace(Tracker& tracker, const Operation& operation) {
   tracker.displace(std::move(positions));
 }
 
-std::uint64_t mixed(std::uint64_t h, std::uint64_t x) {
-  h = (h ^ x) * 0xff51afd7ed558ccdULL;
-  return h ^ (h >> 32);
-}
-
 std::uint64_t digest_of(std::uint64_t seed, const Triangles& surface) {
-  std::uint64_t h = mixed(0x9e3779b97f4a7c15ULL, seed);
+  std::uint64_t h = mixed(kGoldenStep, seed);
   for (const Point& p : surface.positions)
     for (int a = 0; a < 3; ++a) h = mixed(h, std::bit_cast<std::uint64_t>(p[a]));
   for (const Triangle& t : surface.triangles)

@@ -21,9 +21,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 #include "kernel/errors.h"
+#include "kernel/lists.h"
 #include "kernel/measure/measures.h"
 #include "kernel/random.h"
 #include "sims/fuzz/oracles.h"
@@ -136,9 +136,8 @@ Triangles turned(const Triangles& surface) {
 
 template <class T>
 std::vector<std::size_t> shuffled(const std::vector<T>& list, Random& random) {
-  std::vector<std::size_t> order(list.size());
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  for (std::size_t i = order.size(); i > 1; --i) std::swap(order[i - 1], order[random.below(i)]);
+  std::vector<std::size_t> order = identity_map<std::size_t>(list.size());
+  shuffle(order, random);
   return order;
 }
 

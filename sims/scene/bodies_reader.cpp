@@ -9,6 +9,7 @@
 
 #include "kernel/audit.h"
 #include "kernel/errors.h"
+#include "kernel/formats/mesh_io.h"
 #include "kernel/lattice.h"
 #include "kernel/random.h"
 #include "kernel/repair/repair.h"
@@ -30,8 +31,9 @@ fs::path find_model(const std::string& name, const fs::path& folder, const Scene
   places.push_back(folder / ".." / "models");
   places.push_back("data/models");
   for (const fs::path& place : places)
-    for (const char* extension : {".ply", ".obj", ".off", ".stl"})
-      if (sources.is_file(place / (name + extension))) return place / (name + extension);
+    for (const std::string_view extension : kMeshExtensions)
+      if (const fs::path file = place / (name + std::string(extension)); sources.is_file(file))
+        return file;
   return {};
 }
 

@@ -8,6 +8,7 @@
 
 #include "kernel/errors.h"
 #include "kernel/files.h"
+#include "kernel/hash.h"
 #include "sims/support/csv.h"
 
 namespace suture::sims {
@@ -91,9 +92,7 @@ std::vector<Row> read_csv(const std::filesystem::path& file) {
 }
 
 std::string fingerprint(std::string_view bytes) {
-  std::uint64_t hash = 0xcbf29ce484222325ULL;
-  for (const char c : bytes) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3ULL;
-  return fmt::format("{:016x}", hash);
+  return fmt::format("{:016x}", fnv1a(bytes));
 }
 
 std::string fingerprint(const Triangles& surface) {

@@ -8,6 +8,7 @@
 
 #include "kernel/errors.h"
 #include "kernel/files.h"
+#include "kernel/lists.h"
 #include "kernel/random.h"
 #include "sims/study/one_run.h"
 #include "sims/study/plot.h"
@@ -32,12 +33,6 @@ void require_readable(const fs::path& scene, const std::vector<PlannedRun>& runs
   for (const PlannedRun& run : runs)
     for (const auto& [name, value] : run.changes)
       if (seen.emplace(name + text_of(value), true).second) read_scene(scene, {{name, value}});
-}
-
-double median(std::vector<double> values) {
-  std::sort(values.begin(), values.end());
-  const std::size_t n = values.size();
-  return n == 0 ? kUnknownFigure : (values[(n - 1) / 2] + values[n / 2]) / 2;
 }
 
 /// What several processes of one run make of it: the first that failed, or the medians.
@@ -145,7 +140,7 @@ class Study {
     for (std::size_t i = 0; i < runs_.size(); ++i)
       if (find(runs_[i]) == nullptr) order.push_back(i);
     Random random(options_.seed);
-    for (std::size_t i = order.size(); i > 1; --i) std::swap(order[i - 1], order[random.below(i)]);
+    shuffle(order, random);
     return order;
   }
 

@@ -2,10 +2,10 @@
 #include "surgery/detect/crossings.h"
 
 #include <algorithm>
-#include <numeric>
 #include <string>
 
 #include "kernel/errors.h"
+#include "kernel/union_find.h"
 
 namespace suture::surgery {
 
@@ -23,27 +23,21 @@ void cross_edges(const Incidence& mesh, const Lattice& lattice, const Oracle& or
   out.edge_begin.push_back(static_cast<std::uint32_t>(out.edge_crossings.size()));
 }
 
-/// Union–find over edge crossings: a component that reaches no lattice line is a loop in its face.
+/// Edge crossings joined along curves in lattice faces: a curve that reaches no lattice line is a
+/// loop in its face.
 class FaceCurves {
  public:
-  explicit FaceCurves(std::size_t n) : parent_(n), open_(n, 0) {
-    std::iota(parent_.begin(), parent_.end(), 0U);
-  }
+  explicit FaceCurves(std::size_t n) : curves_(n), open_(n, 0) {}
   void unite(std::uint32_t a, std::uint32_t b) {
-    a = root(a);
-    b = root(b);
-    parent_[a] = b;
-    open_[b] |= open_[a];
+    const char open = open_[curves_.root(a)];
+    open_[curves_.join_to(a, b)] |= open;
   }
-  void mark_open(std::uint32_t a) { open_[root(a)] = 1; }
-  bool is_loop(std::uint32_t a) const { return parent_[a] == a && open_[a] == 0; }
+  void mark_open(std::uint32_t a) { open_[curves_.root(a)] = 1; }
+  /// Whether the crossing stands for a curve that is a loop.
+  bool is_loop(std::uint32_t a) { return curves_.root(a) == a && open_[a] == 0; }
 
  private:
-  std::uint32_t root(std::uint32_t a) {
-    while (parent_[a] != a) a = parent_[a] = parent_[parent_[a]];
-    return a;
-  }
-  std::vector<std::uint32_t> parent_;
+  UnionFind curves_;
   std::vector<char> open_;
 };
 

@@ -4,13 +4,13 @@
 #include <cmath>
 
 #include "kernel/errors.h"
+#include "kernel/lattice.h"
 #include "surgery/model/tracker_lattice.h"
 
 namespace suture::surgery {
 
 namespace {
 
-constexpr const char* kAxisName[3] = {"x", "y", "z"};
 constexpr int kOrdinary = 64;       // cells of 2^±64: fourth powers of 2^-100 of a cell are normal
 constexpr int kFarthestUnit = 200;  // between a cell and the edge length aimed at
 

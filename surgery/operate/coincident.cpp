@@ -6,6 +6,7 @@
 #include <bit>
 #include <map>
 
+#include "kernel/hash.h"
 #include "surgery/detect/winding.h"
 
 namespace suture::surgery {
@@ -29,11 +30,8 @@ Coordinates canonical(const Triangles& surface, const Triangle& t) {
 }
 
 std::uint64_t hash(const Coordinates& c) {
-  std::uint64_t h = 0x9e3779b97f4a7c15ULL;
-  for (const double x : c) {
-    h = (h ^ std::bit_cast<std::uint64_t>(x)) * 0xff51afd7ed558ccdULL;
-    h ^= h >> 29;
-  }
+  std::uint64_t h = kGoldenStep;
+  for (const double x : c) h = mixed(h, std::bit_cast<std::uint64_t>(x));
   return h;
 }
 

@@ -4,9 +4,9 @@
 
 #include <algorithm>
 #include <map>
-#include <numeric>
 
 #include "kernel/errors.h"
+#include "kernel/union_find.h"
 
 namespace suture::surgery {
 
@@ -111,20 +111,16 @@ std::vector<std::uint32_t> KeptPieces::loop_from(std::uint32_t first,
 
 /// Component of each kept side: pieces joined across faces between unmarked cells.
 std::vector<std::uint32_t> KeptPieces::components() const {
-  std::vector<std::uint32_t> parent(pieces_.sides.size());
-  std::iota(parent.begin(), parent.end(), 0U);
-  auto root = [&](std::uint32_t a) {
-    while (parent[a] != a) a = parent[a] = parent[parent[a]];
-    return a;
-  };
+  UnionFind sets(pieces_.sides.size());
   for (std::uint32_t s = 0; s < pieces_.sides.size(); ++s) {
     const PieceSide& side = pieces_.sides[s];
     if (!kept(side)) continue;
-    parent[root(side.next)] = root(s);
-    if (!on_boundary(side)) parent[root(side.twin)] = root(s);
+    sets.join_to(side.next, s);
+    if (!on_boundary(side)) sets.join_to(side.twin, s);
   }
-  for (std::uint32_t s = 0; s < parent.size(); ++s) parent[s] = root(s);
-  return parent;
+  std::vector<std::uint32_t> component(sets.size());
+  for (std::uint32_t s = 0; s < component.size(); ++s) component[s] = sets.root(s);
+  return component;
 }
 
 bool KeptPieces::forbidden(std::uint32_t a, std::uint32_t b) const {

@@ -4,8 +4,8 @@
 
 #include <algorithm>
 #include <cstdlib>
-#include <numeric>
 
+#include "kernel/lists.h"
 #include "kernel/measure/self_intersections.h"
 #include "tests/models.h"
 #include "tests/surgery/exact_union.h"
@@ -34,11 +34,6 @@ std::vector<Case> cases() {
   all.push_back({"two animals", legs, translated(legs, {0.02, 0.01, 0.015})});
   all.push_back({"two balls", ball(1, {0.013, 0.007, 0.003}, 32), ball(1, {1.2, 0.3, 0.1}, 32)});
   return all;
-}
-
-double median(std::vector<double> values) {
-  std::nth_element(values.begin(), values.begin() + values.size() / 2, values.end());
-  return values[values.size() / 2];
 }
 
 void run(const Case& c, int cells, Arithmetic arithmetic, int repetitions) {

@@ -81,8 +81,7 @@ TEST_CASE("describe the meshes of $DESCRIBE for data/list_models", "[.describe]"
   const char* const folder = std::getenv("DESCRIBE");
   REQUIRE(folder != nullptr);
   for (const auto& entry : std::filesystem::directory_iterator(folder)) {
-    const std::string extension = entry.path().extension().string();
-    if (extension != ".off" && extension != ".obj" && extension != ".ply") continue;
+    if (!has_mesh_extension(entry.path())) continue;
     const Facts found = facts(entry.path());
     std::cout << "FACTS\t" << entry.path().filename().string() << '\t' << found.triangles << '\t'
               << found.condition << '\n';

@@ -10,6 +10,7 @@
 #include <map>
 #include <string>
 
+#include "kernel/hash.h"
 #include "kernel/shapes/catalogue.h"
 #include "sims/flows/fields.h"
 #include "sims/scene/option_names.h"
@@ -25,10 +26,8 @@ namespace {
 
 /// FNV-1a over the bits of all coordinates and indices, in order.
 std::uint64_t digest(const Triangles& surface) {
-  std::uint64_t hash = 0xcbf29ce484222325ULL;
-  const auto add = [&](std::uint64_t word) {
-    for (int byte = 0; byte < 8; ++byte, word >>= 8) hash = (hash ^ (word & 0xff)) * 0x100000001b3;
-  };
+  std::uint64_t hash = kFnvStart;
+  const auto add = [&](std::uint64_t word) { hash = fnv1a(word, hash); };
   for (const Point& p : surface.positions)
     for (const double x : p) add(std::bit_cast<std::uint64_t>(x));
   for (const Triangle& t : surface.triangles)

@@ -5,7 +5,8 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
-#include <numeric>
+
+#include "kernel/union_find.h"
 
 namespace suture::sims {
 namespace {
@@ -18,26 +19,19 @@ constexpr double kLeastMode = 1e-10;
 
 /// The body of each unknown, numbered by their first unknowns.
 std::vector<std::uint32_t> connected(const ViscousSystem& system, std::size_t& count) {
-  std::vector<std::uint32_t> root(system.faces.size());
-  std::iota(root.begin(), root.end(), 0u);
-  const auto find = [&](std::uint32_t i) {
-    while (root[i] != i) i = root[i] = root[root[i]];
-    return i;
-  };
+  UnionFind sets(system.faces.size());
   for (const ViscousSystem::Term& t : system.terms) {
-    std::uint32_t first = ViscousSystem::kNone;
+    std::uint32_t first = kNone;
     for (const std::uint32_t u : t.unknown) {
-      if (u == ViscousSystem::kNone) continue;
-      const std::uint32_t own = find(u);
-      if (first == ViscousSystem::kNone) first = own;
-      root[std::max(first, own)] = std::min(first, own);
-      first = std::min(first, own);
+      if (u == kNone) continue;
+      if (first == kNone) first = u;
+      sets.join(first, u);
     }
   }
   count = 0;
-  std::vector<std::uint32_t> body(root.size());
-  for (std::uint32_t i = 0; i < root.size(); ++i) {
-    const std::uint32_t r = find(i);
+  std::vector<std::uint32_t> body(sets.size());
+  for (std::uint32_t i = 0; i < body.size(); ++i) {
+    const std::uint32_t r = sets.root(i);
     body[i] = r == i ? static_cast<std::uint32_t>(count++) : body[r];
   }
   return body;
@@ -95,14 +89,14 @@ RigidPart::Modes RigidPart::modes(std::uint32_t unknown) const {
 RigidPart::Modes RigidPart::modes(const ViscousSystem::Term& term) const {
   Modes m = Modes::Zero();
   for (int n = 0; n < 4; ++n)
-    if (term.unknown[n] != ViscousSystem::kNone) m += term.way[n] * modes(term.unknown[n]);
+    if (term.unknown[n] != kNone) m += term.way[n] * modes(term.unknown[n]);
   return m;
 }
 
 std::uint32_t RigidPart::body(const ViscousSystem::Term& term) const {
   for (const std::uint32_t u : term.unknown)
-    if (u != ViscousSystem::kNone) return body_of_[u];
-  return ViscousSystem::kNone;
+    if (u != kNone) return body_of_[u];
+  return kNone;
 }
 
 void RigidPart::correct(std::vector<double>& v) const {

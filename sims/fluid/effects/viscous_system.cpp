@@ -18,7 +18,7 @@ ViscousSystem::Term term(const RateStencil& r, const StrainRate& rate, const Mac
   for (int n = 0; n < r.faces; ++n) {
     const auto way = static_cast<float>(r.coefficient[n]);
     t.unknown[n] = numbers[r.axis[n]][r.slot[n]];
-    if (t.unknown[n] == ViscousSystem::kNone) {
+    if (t.unknown[n] == kNone) {
       t.constant += way * rate.velocity_at(velocity, r.axis[n], r.slot[n]);
       t.wall = true;
     } else {
@@ -37,17 +37,17 @@ double mass(const MacVelocity& velocity, const StrainRate& rate, const Liquid* p
 
 void number_faces(ViscousSystem& system, Numbers& numbers, const MacVelocity& velocity,
                   const StrainRate& rate, const Liquid* projected, bool only_massless) {
-  for (int a = 0; a < 3; ++a) numbers[a].assign(rate.grid().size(), ViscousSystem::kNone);
+  for (int a = 0; a < 3; ++a) numbers[a].assign(rate.grid().size(), kNone);
   rate.for_each([&](const RateStencil& r, int, Slot) {
     for (int n = 0; n < r.faces; ++n)
       if (!rate.held(r.axis[n], r.slot[n])) numbers[r.axis[n]][r.slot[n]] = 0;
   });
   for (Slot s = 0; s < rate.grid().size(); ++s)
     for (int a = 0; a < 3; ++a) {
-      if (numbers[a][s] == ViscousSystem::kNone) continue;
+      if (numbers[a][s] == kNone) continue;
       const double own = mass(velocity, rate, projected, a, s);
       if (only_massless && own > 0) {
-        numbers[a][s] = ViscousSystem::kNone;
+        numbers[a][s] = kNone;
         continue;
       }
       const double u = rate.velocity_at(velocity, a, s);
@@ -76,7 +76,7 @@ std::vector<double> residual(const ViscousSystem& system, const std::vector<doub
   for (const ViscousSystem::Term& t : system.terms) {
     const double value = t.constant + (rigid && !t.wall ? 0 : t.of(v));
     for (int n = 0; n < 4; ++n)
-      if (t.unknown[n] != ViscousSystem::kNone) r[t.unknown[n]] -= t.stiffness * t.way[n] * value;
+      if (t.unknown[n] != kNone) r[t.unknown[n]] -= t.stiffness * t.way[n] * value;
   }
   return r;
 }
@@ -116,7 +116,7 @@ SparseRows matrix(const ViscousSystem& system, const std::vector<double>& scale)
     for (int a = 0; a < 4; ++a)
       for (int b = 0; b < 4; ++b) {
         const std::uint32_t i = t.unknown[a], j = t.unknown[b];
-        if (i == ViscousSystem::kNone || j == ViscousSystem::kNone) continue;
+        if (i == kNone || j == kNone) continue;
         std::size_t at = i * kWidest;
         const std::size_t end = at + used[i];
         while (at < end && m.column[at] != j) ++at;
@@ -146,7 +146,7 @@ std::vector<double> scales(const ViscousSystem& system) {
   std::vector<double> scale = system.mass;
   for (const ViscousSystem::Term& t : system.terms)
     for (int n = 0; n < 4; ++n)
-      if (t.unknown[n] != ViscousSystem::kNone)
+      if (t.unknown[n] != kNone)
         scale[t.unknown[n]] += t.stiffness * (static_cast<double>(t.way[n]) * t.way[n]);
   for (double& s : scale) s = 1 / std::sqrt(s);
   return scale;
@@ -174,12 +174,12 @@ ViscousSystem viscous_system(const MacVelocity& velocity, const StrainRate& rate
     t.stiffness = step.stiffness * r.weight * 2 / twice;
     if (step.factor != nullptr) t.stiffness *= step.factor->part(component)[s];
     if (step.offset != nullptr) t.constant += twice * step.offset->part(component)[s];
-    const bool free = std::any_of(t.unknown.begin(), t.unknown.end(),
-                                  [](std::uint32_t u) { return u != ViscousSystem::kNone; });
+    const bool free =
+        std::any_of(t.unknown.begin(), t.unknown.end(), [](std::uint32_t u) { return u != kNone; });
     if (!free) return;
     system.terms.push_back(t);
     for (int n = 0; n < r.faces; ++n) {
-      if (t.unknown[n] != ViscousSystem::kNone) continue;
+      if (t.unknown[n] != kNone) continue;
       system.wall_velocity[r.axis[n]] += rate.velocity_at(velocity, r.axis[n], r.slot[n]);
       ++held[r.axis[n]];
     }

@@ -33,7 +33,6 @@ struct StressStep {
 /// The faces' velocities v that make ½Σ mass·(v − before)² + ½Σ stiffness·(way·v + constant)² over
 /// the terms least: the variational form of the step [Batty and Bridson 2008, eq. 9].
 struct ViscousSystem {
-  static constexpr std::uint32_t kNone = 0xffffffffu;
   struct Term {
     std::array<std::uint32_t, 4> unknown{kNone, kNone, kNone, kNone};
     std::array<float, 4> way{};

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "kernel/sort_unique.h"
+#include "kernel/lists.h"
 
 namespace suture::sims {
 namespace {

@@ -5,7 +5,8 @@
 #include <cmath>
 
 #include "kernel/errors.h"
-#include "kernel/sort_unique.h"
+#include "kernel/hash.h"
+#include "kernel/lists.h"
 
 namespace suture::sims {
 namespace {
@@ -64,16 +65,10 @@ std::uint32_t SparseGrid::hashed(const Index3& b) const {
   return at == map_.end() ? kNone : at->second;
 }
 
-/// Each index enters with all its bits and is spread over all of the hash's [Vigna 2015,
-/// splitmix64].
+/// Each index enters with all its bits and is spread over all of the hash's.
 std::size_t SparseGrid::Hash::operator()(const Index3& b) const {
   std::uint64_t x = 0;
-  for (const int i : b) {
-    x += static_cast<std::uint32_t>(i) + 0x9e3779b97f4a7c15ULL;
-    x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9ULL;
-    x = (x ^ (x >> 27)) * 0x94d049bb133111ebULL;
-    x ^= x >> 31;
-  }
+  for (const int i : b) x = spread(x + static_cast<std::uint32_t>(i) + kGoldenStep);
   return static_cast<std::size_t>(x);
 }
 

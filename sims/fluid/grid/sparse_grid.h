@@ -76,7 +76,6 @@ class SparseGrid {
   }
 
  private:
-  static constexpr std::uint32_t kNone = 0xffffffffu;
   std::uint32_t block(const Index3& b) const {  // by the block's own indices
     if (table_.empty()) return hashed(b);
     std::size_t at = 0;

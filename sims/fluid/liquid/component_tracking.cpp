@@ -3,11 +3,11 @@
 
 #include <algorithm>
 #include <map>
-#include <numeric>
 #include <optional>
 
 #include "kernel/lattice.h"
 #include "kernel/repair/weld.h"
+#include "kernel/union_find.h"
 
 namespace suture::sims {
 namespace {
@@ -29,27 +29,7 @@ struct Side {
   }
 };
 
-/// Sets that can be joined, of the bodies before and then those after.
-class Sets {
- public:
-  explicit Sets(std::size_t count) : parent_(count) {
-    std::iota(parent_.begin(), parent_.end(), std::uint32_t{0});
-  }
-  std::uint32_t root(std::uint32_t x) {
-    while (parent_[x] != x) x = parent_[x] = parent_[parent_[x]];
-    return x;
-  }
-  void join(std::uint32_t a, std::uint32_t b) {
-    a = root(a);
-    b = root(b);
-    parent_[std::max(a, b)] = std::min(a, b);
-  }
-
- private:
-  std::vector<std::uint32_t> parent_;
-};
-
-void join_by_vertices(Side& before, Side& after, Sets& sets) {
+void join_by_vertices(Side& before, Side& after, UnionFind& sets) {
   std::vector<Point> all = before.surface.positions;
   all.insert(all.end(), after.surface.positions.begin(), after.surface.positions.end());
   const std::vector<std::uint32_t> first = first_equal(all);
@@ -83,7 +63,7 @@ std::vector<std::uint32_t> near_to(const std::vector<std::uint32_t>& vertices, c
   return near;
 }
 
-void join_by_nearness(Side& own, Side& other, bool own_is_before, Sets& sets) {
+void join_by_nearness(Side& own, Side& other, bool own_is_before, UnionFind& sets) {
   if (other.surface.triangles.empty()) return;
   std::vector<std::vector<std::uint32_t>> vertices(own.bodies.count);
   for (std::uint32_t v = 0; v < own.of_vertex.size(); ++v)
@@ -102,7 +82,7 @@ void join_by_nearness(Side& own, Side& other, bool own_is_before, Sets& sets) {
 BodyGroups body_groups(const Triangles& before, const LiquidBodies& bodies_before,
                        const Triangles& after, const LiquidBodies& bodies_after) {
   Side first(before, bodies_before), second(after, bodies_after);
-  Sets sets(bodies_before.count + bodies_after.count);
+  UnionFind sets(bodies_before.count + bodies_after.count);
   join_by_vertices(first, second, sets);
   join_by_nearness(first, second, true, sets);
   join_by_nearness(second, first, false, sets);

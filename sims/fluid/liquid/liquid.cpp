@@ -8,8 +8,8 @@
 #include <cmath>
 #include <map>
 
+#include "kernel/lists.h"
 #include "kernel/measure/measures.h"
-#include "kernel/sort_unique.h"
 #include "sims/fluid/liquid/surface_cells.h"
 
 namespace suture::sims {

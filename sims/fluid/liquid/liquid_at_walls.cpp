@@ -3,8 +3,8 @@
 #include <cmath>
 #include <memory>
 
+#include "kernel/lists.h"
 #include "kernel/measure/nearest_triangle.h"
-#include "kernel/sort_unique.h"
 #include "sims/fluid/liquid/liquid.h"
 
 namespace suture::sims {

@@ -49,6 +49,17 @@ const std::string kPly =
 
 }  // namespace
 
+TEST_CASE("each extension in the list is known in either case, and no other is") {
+  for (const std::string_view extension : kMeshExtensions) {
+    CHECK(has_mesh_extension("a" + std::string(extension)));
+    CHECK_THAT(mesh_extensions_in_words(), Contains(std::string(extension)));
+  }
+  CHECK(has_mesh_extension("folder.d/A.StL"));
+  for (const char* other : {"a", "a.xyz", "a.ply.gz", ".ply", ""})
+    CHECK_FALSE(has_mesh_extension(other));
+  CHECK(mesh_extensions_in_words() == ".ply, .obj, .off or .stl");
+}
+
 TEST_CASE("what is written reads back with the same bits") {
   const TemporaryFolder folder;
   for (const char* name : {"a.obj", "a.off", "a.ply", "A.OFF"})
