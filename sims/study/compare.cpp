@@ -7,7 +7,7 @@
 #include "kernel/measure/measures.h"
 #include "kernel/measure/nearest_triangle.h"
 #include "kernel/measure/symmetric_difference.h"
-#include "sims/study/row.h"
+#include "sims/study/table/row.h"
 
 namespace suture::sims {
 namespace {

@@ -1,8 +1,8 @@
 // Every measure of a surface against the exact one.
 #pragma once
 
-#include "sims/study/record.h"
-#include "sims/study/truth.h"
+#include "sims/study/table/table.h"
+#include "sims/study/exact/truth.h"
 
 namespace suture::sims {
 

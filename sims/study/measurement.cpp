@@ -9,10 +9,10 @@
 #include "kernel/errors.h"
 #include "kernel/formats/mesh_io.h"
 #include "kernel/measure/measures.h"
-#include "sims/study/method_run.h"
+#include "sims/study/scene_run.h"
 #include "sims/study/settings.h"
 #include "sims/study/surface_measures.h"
-#include "sims/study/table.h"
+#include "sims/study/table/trade_row.h"
 
 namespace suture::sims {
 namespace {

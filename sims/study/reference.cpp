@@ -12,8 +12,8 @@
 #include "kernel/files.h"
 #include "kernel/formats/mesh_io.h"
 #include "sims/driver/stepper.h"
-#include "sims/study/one_run.h"
-#include "sims/study/table.h"
+#include "sims/study/trade_run.h"
+#include "sims/study/table/trade_row.h"
 
 namespace suture::sims {
 namespace {

@@ -10,10 +10,10 @@
 #include "kernel/files.h"
 #include "kernel/lists.h"
 #include "kernel/random.h"
-#include "sims/study/one_run.h"
-#include "sims/study/plot.h"
-#include "sims/study/recommend.h"
-#include "sims/study/table.h"
+#include "sims/study/trade_run.h"
+#include "sims/study/report/plot.h"
+#include "sims/study/report/recommend.h"
+#include "sims/study/table/trade_row.h"
 
 namespace suture::sims {
 namespace {

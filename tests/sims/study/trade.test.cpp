@@ -4,8 +4,8 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "sims/study/plot.h"
-#include "sims/study/table.h"
+#include "sims/study/report/plot.h"
+#include "sims/study/table/trade_row.h"
 #include "tests/paths.h"
 #include "tests/sims/cli/program.h"
 #include "tests/sims/study/trade_rows.h"

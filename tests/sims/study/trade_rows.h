@@ -1,7 +1,7 @@
 // Rows of a study, planted for the tests of what is made of them.
 #pragma once
 
-#include "sims/study/row.h"
+#include "sims/study/table/row.h"
 
 namespace suture {
 

@@ -1,5 +1,5 @@
 // What a scene's surface should be at a time, kept on disk once it was computed.
-#include "sims/study/truth.h"
+#include "sims/study/exact/truth.h"
 
 #include <fmt/format.h>
 
@@ -10,7 +10,7 @@
 #include "kernel/files.h"
 #include "kernel/formats/mesh_io.h"
 #include "sims/study/settings.h"
-#include "sims/study/table.h"
+#include "sims/study/table/trade_row.h"
 
 namespace suture::sims {
 namespace {

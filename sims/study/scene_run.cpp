@@ -1,5 +1,5 @@
 // One method on one scene, from start to end, with what it costs and its surface at given times.
-#include "sims/study/method_run.h"
+#include "sims/study/scene_run.h"
 
 #include <fmt/format.h>
 
@@ -8,7 +8,7 @@
 #include "kernel/errors.h"
 #include "kernel/measure/measures.h"
 #include "sims/driver/method_stepper.h"
-#include "sims/study/row.h"
+#include "sims/study/table/row.h"
 #include "sims/support/clock.h"
 
 namespace suture::sims {

@@ -1,7 +1,7 @@
 // Errors and costs of a study's runs, and the runs that no other beats in both.
 #pragma once
 
-#include "sims/study/row.h"
+#include "sims/study/table/row.h"
 
 namespace suture::sims {
 

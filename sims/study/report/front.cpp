@@ -1,5 +1,5 @@
 // Errors and costs of a study's runs, and the runs that no other beats in both.
-#include "sims/study/front.h"
+#include "sims/study/report/front.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
 // What a study's table says, in words: what to choose, what it costs, what fails.
-#include "sims/study/recommend.h"
+#include "sims/study/report/recommend.h"
 
 #include <fmt/format.h>
 
@@ -7,7 +7,7 @@
 #include <cmath>
 #include <map>
 
-#include "sims/study/front.h"
+#include "sims/study/report/front.h"
 
 namespace suture::sims {
 namespace {

@@ -1,5 +1,5 @@
 // One run of a scene for a study: its cost, and its error against the reference.
-#include "sims/study/one_run.h"
+#include "sims/study/trade_run.h"
 
 #include <fmt/format.h>
 
@@ -13,7 +13,7 @@
 #include "kernel/measure/measures.h"
 #include "sims/driver/stepper.h"
 #include "sims/study/surface_measures.h"
-#include "sims/study/table.h"
+#include "sims/study/table/trade_row.h"
 #include "sims/support/clock.h"
 
 namespace suture::sims {

@@ -4,7 +4,7 @@
 #include <functional>
 #include <utility>
 
-#include "sims/study/exact_shape.h"
+#include "sims/study/exact/exact_shape.h"
 
 namespace suture::sims {
 

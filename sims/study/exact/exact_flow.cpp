@@ -1,5 +1,5 @@
 // The exact shape at time 0 carried by the exact flow: a triangulation as fine as its image asks.
-#include "sims/study/exact_flow.h"
+#include "sims/study/exact/exact_flow.h"
 
 #include <fmt/format.h>
 

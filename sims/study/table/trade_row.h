@@ -3,7 +3,7 @@
 
 #include <filesystem>
 
-#include "sims/study/row.h"
+#include "sims/study/table/row.h"
 
 namespace suture::sims {
 

@@ -3,10 +3,10 @@
 #include <cmath>
 
 #include "kernel/errors.h"
-#include "sims/study/front.h"
-#include "sims/study/plot.h"
-#include "sims/study/recommend.h"
-#include "sims/study/table.h"
+#include "sims/study/report/front.h"
+#include "sims/study/report/plot.h"
+#include "sims/study/report/recommend.h"
+#include "sims/study/table/trade_row.h"
 #include "tests/sims/cli/program.h"
 #include "tests/sims/study/trade_rows.h"
 

@@ -1,5 +1,5 @@
 // A row of the table of measurements: cells by name, in order; and the table in its file.
-#include "sims/study/record.h"
+#include "sims/study/table/table.h"
 
 #include <fcntl.h>
 #include <fmt/format.h>

@@ -1,5 +1,5 @@
 // A study's plots: a gnuplot script beside the table, and the pictures that it makes.
-#include "sims/study/plot.h"
+#include "sims/study/report/plot.h"
 
 #include <fmt/format.h>
 
@@ -10,7 +10,7 @@
 
 #include "kernel/errors.h"
 #include "kernel/files.h"
-#include "sims/study/front.h"
+#include "sims/study/report/front.h"
 #include "sims/support/process.h"
 
 namespace suture::sims {

@@ -1,5 +1,5 @@
 // Exact references, against shapes and flows whose images are known by formula.
-#include "sims/study/exact_flow.h"
+#include "sims/study/exact/exact_flow.h"
 
 #include <catch2/catch.hpp>
 #include <cmath>

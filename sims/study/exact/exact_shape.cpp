@@ -1,5 +1,5 @@
 // A start shape as it is meant, not as its mesh has it: smooth faces, creases and its volume.
-#include "sims/study/exact_shape.h"
+#include "sims/study/exact/exact_shape.h"
 
 #include <boost/math/quadrature/gauss.hpp>
 #include <cmath>

@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <string>
 
-#include "sims/study/exact_flow.h"
+#include "sims/study/exact/exact_flow.h"
 
 namespace suture::sims {
 

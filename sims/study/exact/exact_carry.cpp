@@ -7,7 +7,7 @@
 #include <algorithm>
 
 #include "kernel/errors.h"
-#include "sims/study/exact_flow.h"
+#include "sims/study/exact/exact_flow.h"
 
 namespace suture::sims {
 namespace {

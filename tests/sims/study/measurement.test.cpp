@@ -7,7 +7,7 @@
 #include "kernel/shapes/shapes.h"
 #include "kernel/shapes/transform.h"
 #include "sims/study/compare.h"
-#include "sims/study/method_run.h"
+#include "sims/study/scene_run.h"
 #include "tests/sims/cli/program.h"
 
 using namespace suture;

@@ -1,5 +1,5 @@
 // The study's table as a CSV file, a row a run: written whole, read back to resume.
-#include "sims/study/table.h"
+#include "sims/study/table/trade_row.h"
 
 #include <fmt/format.h>
 
@@ -91,9 +91,7 @@ std::vector<Row> read_csv(const std::filesystem::path& file) {
   return rows;
 }
 
-std::string fingerprint(std::string_view bytes) {
-  return fmt::format("{:016x}", fnv1a(bytes));
-}
+std::string fingerprint(std::string_view bytes) { return fmt::format("{:016x}", fnv1a(bytes)); }
 
 std::string fingerprint(const Triangles& surface) {
   const auto bytes = [](const auto& list) {
