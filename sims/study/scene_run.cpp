@@ -1,4 +1,4 @@
-// One method on one scene, from start to end, with what it costs and its surface at given times.
+// A scene run from start to end by whatever tracks its surface: the surface and all costs at times.
 #include "sims/study/scene_run.h"
 
 #include <fmt/format.h>
@@ -19,65 +19,61 @@ bool has_a_mesh(const Scene& scene) {
   return scene.method.is_mesh() || scene.method.kind == MethodKind::semi_lagrangian_contouring;
 }
 
-/// CPU seconds of each part of the steps and counts of what was done, as the Stepper tells of them.
+/// Costs of each part of the steps, as it ends, and why surgery was refused first.
 class Watch : public StepWatcher {
  public:
-  void begin() { last_ = process_seconds(); }
-  TrackerCost cost() const {
-    return {{{"move", move_}, {"remodel", remodel_}, {"improve", improve_}},
-            {{"remodels", remodels_},
-             {"surgeries_committed", committed_},
-             {"surgeries_refused", refused_},
-             {"cells_resampled", cells_},
-             {"subdivisions", subdivisions_},
-             {"collapses", collapses_},
-             {"flips", flips_}}};
-  }
+  void begin() { lap_.next(); }
+  const Costs& costs() const { return costs_; }
+  const std::string& refusal() const { return refusal_; }
 
  private:
-  void lap(double& seconds) {
-    const double now = process_seconds();
-    seconds += now - last_;
-    last_ = now;
-  }
-  void moved(double /*dt*/) override { lap(move_); }
+  void moved(double /*dt*/) override { costs_.add_seconds("move", lap_.next()); }
+
   void remodelled(const SurgeryReport& r) override {
-    lap(remodel_);
-    ++remodels_;
-    committed_ += r.outcome == Outcome::committed;
-    refused_ += r.outcome == Outcome::refused;
-    if (r.outcome == Outcome::committed) cells_ += static_cast<double>(r.marked.total());
-  }
-  void improved(const QualityReport& r) override {
-    lap(improve_);
-    subdivisions_ += static_cast<double>(r.subdivisions);
-    collapses_ += static_cast<double>(r.collapses.done);
-    flips_ += static_cast<double>(r.flips);
+    costs_.add_seconds("remodel", lap_.next());
+    costs_.count("remodels");
+    if (r.outcome == Outcome::refused) {
+      if (costs_.count_of("surgeries_refused") == 0) refusal_ = r.failure;
+      costs_.count("surgeries_refused");
+    } else if (r.outcome == Outcome::committed) {
+      costs_.count("surgeries_committed");
+      costs_.count("cells_resampled", static_cast<double>(r.marked.total()));
+    }
   }
 
-  double last_ = 0, move_ = 0, remodel_ = 0, improve_ = 0;
-  double remodels_ = 0, committed_ = 0, refused_ = 0, cells_ = 0;
-  double subdivisions_ = 0, collapses_ = 0, flips_ = 0;
+  void improved(const QualityReport& r) override {
+    costs_.add_seconds("improve", lap_.next());
+    costs_.count("subdivisions", static_cast<double>(r.subdivisions));
+    costs_.count("collapses", static_cast<double>(r.collapses.done));
+    costs_.count("flips", static_cast<double>(r.flips));
+  }
+
+  Lap lap_;
+  std::string refusal_;
+  Costs costs_{{{"move", 0}, {"remodel", 0}, {"improve", 0}},
+               {{"remodels", 0},
+                {"surgeries_committed", 0},
+                {"surgeries_refused", 0},
+                {"cells_resampled", 0},
+                {"subdivisions", 0},
+                {"collapses", 0},
+                {"flips", 0}}};
 };
 
-class Measured {
+/// A run as it goes.
+class Running {
  public:
-  Measured(Scene& scene, std::vector<double> times, RunWatcher* watcher)
+  Running(Scene& scene, std::vector<double> times, RunWatcher* watcher)
       : scene_(scene), times_(std::move(times)), watcher_(watcher) {
     std::sort(times_.begin(), times_.end());
   }
 
-  MethodRun all() {
+  SceneRun all() {
     try {
       forget_peak();
-      const double start = process_seconds();
-      steps_ = make_steps(scene_, scene_.tracker);
-      now_.seconds = process_seconds() - start;
+      timed([&] { steps_ = make_steps(scene_, scene_.tracker); });
       go();
-      const auto counts = cost().counts;
-      const bool refused = std::any_of(counts.begin(), counts.end(), [](const auto& c) {
-        return c.first == "surgeries_refused" && c.second > 0;
-      });
+      const bool refused = costs().count_of("surgeries_refused") > 0;
       result_.outcome = refused ? kRefusedRun : kDoneRun;
       if (refused) result_.failure = "surgeries were refused";
     } catch (const std::bad_alloc&) {
@@ -85,6 +81,7 @@ class Measured {
     } catch (const std::exception& error) {
       stop(error.what());
     }
+    result_.refusal = watch_.refusal();
     return std::move(result_);
   }
 
@@ -101,30 +98,29 @@ class Measured {
       });
       now_.steps += 1;
       if (mesh) count();
-      const double reached = steps_->time() + 1e-9 * scene_.time.step;
       const bool gone = mesh && steps_->vanished(), over = gone || (mesh && grown_together());
-      while (next < times_.size() && (reached >= times_[next] || i == steps || over)) {
+      const double reached = steps_->time() + 1e-9 * scene_.time.step;
+      for (; next < times_.size() && (reached >= times_[next] || i == steps || over); ++next) {
         snap();
         // Nothing is left at all later times either.
         if (gone) result_.snapshots.back().time = std::max(times_[next], steps_->time());
-        ++next;
       }
-      tell(i, steps, mesh);
+      tell(i);
       if (gone) result_.failure = fmt::format("nothing was left at t = {:g}", steps_->time());
       if (over) break;
     }
   }
 
-  TrackerCost cost() const {
-    const TrackerCost own = steps_->cost();
-    return own.seconds.empty() ? watch_.cost() : own;
+  Costs costs() const {
+    const Costs own = steps_->cost();
+    return own.seconds.empty() ? watch_.costs() : own;
   }
 
   template <class F>
   void timed(const F& work) {
-    const double start = process_seconds();
+    const Lap lap;
     work();
-    now_.seconds += process_seconds() - start;
+    now_.seconds += lap.seconds();
   }
 
   bool grown_together() {
@@ -133,36 +129,38 @@ class Measured {
   }
 
   void count() {
-    const auto triangles = static_cast<double>(steps_->surface().triangles.size());
+    now_.triangles = static_cast<double>(steps_->surface().triangles.size());
     counted_ += 1;
-    now_.triangles_mean += (triangles - now_.triangles_mean) / counted_;
-    now_.triangles_max = std::max(now_.triangles_max, triangles);
+    now_.triangles_mean += (now_.triangles - now_.triangles_mean) / counted_;
+    now_.triangles_max = std::max(now_.triangles_max, now_.triangles);
   }
 
   void snap() {
     timed([&] { now_.surface = steps_->surface(); });
     if (!has_a_mesh(scene_)) count();
+    keep();
+  }
+
+  /// Keeps what is known now.
+  void keep() {
     now_.time = steps_->time();
-    now_.cost = cost();
+    now_.costs = costs();
     now_.peak_megabytes = peak_megabytes();
     result_.snapshots.push_back(now_);
   }
 
-  void tell(std::int64_t i, std::int64_t steps, bool mesh) {
+  void tell(std::int64_t step) {
     if (watcher_ == nullptr) return;
-    const std::size_t triangles = mesh ? steps_->surface().triangles.size() : 0;
-    watcher_->stepped({i, steps, steps_->time(), triangles, 0});
+    const std::size_t triangles = has_a_mesh(scene_) ? steps_->surface().triangles.size() : 0;
+    watcher_->stepped({step, scene_.time.steps(), steps_->time(), triangles, 0});
   }
 
   void stop(const std::string& why) {
     result_.outcome = kStoppedRun;
     result_.failure = steps_ ? fmt::format("step {}: {}", now_.steps + 1, why) : why;
     if (!steps_) return;
-    now_.time = steps_->time();
-    now_.cost = cost();
-    now_.peak_megabytes = peak_megabytes();
     now_.surface = {};
-    result_.snapshots.push_back(now_);
+    keep();
   }
 
   Scene& scene_;
@@ -172,13 +170,24 @@ class Measured {
   Watch watch_;
   Snapshot now_;
   double counted_ = 0;
-  MethodRun result_;
+  SceneRun result_;
 };
 
 }  // namespace
 
-MethodRun run_method(Scene& scene, std::vector<double> times, RunWatcher* watcher) {
-  return Measured(scene, std::move(times), watcher).all();
+void require_tracked_mesh(const Scene& scene) {
+  if (scene.fluid)
+    throw InvalidInput(scene.file.string() +
+                       ": its surface is moved by a fluid, for which there is nothing exact to "
+                       "compare with; run it by `suture run`");
+  if (scene.method.kind != MethodKind::mesh)
+    throw InvalidInput(scene.file.string() + ": the method \"" + method_name(scene.method.kind) +
+                       "\" is no mesh as the tracker looks after it, which this needs; take the "
+                       "table [method] out, or run the scene by `suture run`");
+}
+
+SceneRun run_scene(Scene& scene, std::vector<double> times, RunWatcher* watcher) {
+  return Running(scene, std::move(times), watcher).all();
 }
 
 }  // namespace suture::sims

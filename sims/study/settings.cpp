@@ -62,20 +62,6 @@ Settings changed(Settings settings, const SceneChanges& changes) {
   return settings;
 }
 
-std::string text_of(const Value& value) {
-  if (const auto* list = std::get_if<std::vector<double>>(&value))
-    return fmt::format("{}", fmt::join(*list, " "));
-  return std::visit(
-      [](const auto& v) -> std::string {
-        using T = std::decay_t<decltype(v)>;
-        if constexpr (std::is_same_v<T, std::vector<double>>)
-          return {};
-        else
-          return fmt::format("{}", v);
-      },
-      value);
-}
-
 std::string words_of(const Settings& settings, const SceneChanges& changes) {
   std::string words;
   for (const Setting& s : settings)

@@ -1,167 +1,131 @@
-// One run of a scene for a study: its cost, and its error against the reference.
+// One run of a scene for a trade study: its cost, and its error against the reference.
 #include "sims/study/trade_run.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
-#include <nlohmann/json.hpp>
 
 #include "kernel/errors.h"
 #include "kernel/formats/mesh_io.h"
 #include "kernel/measure/distance.h"
 #include "kernel/measure/measures.h"
-#include "sims/driver/stepper.h"
+#include "sims/study/scene_run.h"
 #include "sims/study/surface_measures.h"
 #include "sims/study/table/trade_row.h"
-#include "sims/support/clock.h"
+#include "sims/support/fingerprint.h"
 
 namespace suture::sims {
 namespace {
 
-using nlohmann::json;
-
-/// CPU seconds of each part of the steps, and counts of what was done.
-class Costs : public StepWatcher {
- public:
-  explicit Costs(Row& row) : row_(row), last_(process_seconds()) {
-    Figures& f = row.figures;
-    for (double* x : {&f.remodel_seconds, &f.improve_seconds, &f.move_seconds, &f.remodels,
-                      &f.surgeries, &f.refused, &f.steps, &f.triangles_mean, &f.triangles_max})
-      *x = 0;
-  }
-
-  void moved(double /*dt*/) override { lap(row_.figures.move_seconds); }
-
-  void remodelled(const SurgeryReport& r) override {
-    Figures& f = row_.figures;
-    lap(f.remodel_seconds);
-    f.remodels += 1;
-    f.surgeries += r.outcome == Outcome::committed ? 1 : 0;
-    if (r.outcome != Outcome::refused) return;
-    if (f.refused == 0) row_.failure = r.failure;
-    f.refused += 1;
-  }
-
-  void improved(const QualityReport& /*report*/) override { lap(row_.figures.improve_seconds); }
-
-  void stepped(const Triangles& surface) {
-    Figures& f = row_.figures;
-    const auto triangles = static_cast<double>(surface.triangles.size());
-    f.steps += 1;
-    f.triangles_mean += (triangles - f.triangles_mean) / f.steps;
-    f.triangles_max = std::max(f.triangles_max, triangles);
-    f.triangles_end = triangles;
-    f.tracker_seconds = f.remodel_seconds + f.improve_seconds;
-    f.total_seconds = f.tracker_seconds + f.move_seconds;
-    f.peak_megabytes = peak_megabytes();
-  }
-
- private:
-  void lap(double& seconds) {
-    const double now = process_seconds();
-    seconds += now - last_;
-    last_ = now;
-  }
-
-  Row& row_;
-  double last_;
-};
-
-void measure_shape(const Triangles& surface, Figures& f) {
-  const SurfaceMeasures m = measure_surface(surface);
-  f.components = m.components;
-  f.euler = m.euler;
-  f.intersecting_pairs = m.intersecting_pairs;
-  f.without_area = m.without_area;
-  f.least_angle = m.least_angle;
+/// A figure; what is not finite is not known.
+void set(Row& row, const char* figure, double x) {
+  row.set(figure, std::isfinite(x) ? x : kUnknown);
 }
 
-void measure_error(const Triangles& surface, const OneRun& run, Figures& f) {
+/// What was spent until a run's last step. Some of it is known only where there was a step.
+void set_costs(Row& row, const Snapshot& end) {
+  const Costs& c = end.costs;
+  const double remodel = c.seconds_of("remodel"), improve = c.seconds_of("improve"),
+               move = c.seconds_of("move");
+  set(row, "remodel_seconds", remodel);
+  set(row, "improve_seconds", improve);
+  set(row, "move_seconds", move);
+  set(row, "triangles_mean", end.triangles_mean);
+  set(row, "triangles_max", end.triangles_max);
+  set(row, "steps", end.steps);
+  set(row, "remodels", c.count_of("remodels"));
+  set(row, "surgeries", c.count_of("surgeries_committed"));
+  set(row, "refused", c.count_of("surgeries_refused"));
+  if (!(end.steps > 0)) return;
+  set(row, "tracker_seconds", remodel + improve);
+  set(row, "total_seconds", remodel + improve + move);
+  set(row, "peak_megabytes", end.peak_megabytes);
+  set(row, "triangles_end", end.triangles);
+}
+
+void set_shape(Row& row, const Triangles& surface) {
+  const SurfaceMeasures m = measure_surface(surface);
+  set(row, "components", m.components);
+  set(row, "euler", m.euler);
+  set(row, "self_intersecting_pairs", m.intersecting_pairs);
+  set(row, "triangles_without_area", m.without_area);
+  set(row, "least_angle", m.least_angle);
+}
+
+void set_error(Row& row, const Triangles& surface, const TradeRun& run) {
   const Triangles reference = read_triangles(run.reference);
-  f.volume_error = volume(surface) / volume(reference) - 1;
+  set(row, "volume_error", volume(surface) / volume(reference) - 1);
   std::vector<std::int64_t> right = run.topology;
   if (right.empty())
     right = {static_cast<std::int64_t>(components(reference).count),
              euler_characteristic(reference)};
-  f.topology_right = f.components == static_cast<double>(right.at(0)) &&
-                     f.euler == static_cast<double>(right.at(1));
+  const bool topology_right = row.number("components") == static_cast<double>(right.at(0)) &&
+                              row.number("euler") == static_cast<double>(right.at(1));
+  set(row, "topology_right", topology_right ? 1 : 0);
   const TwoWayDistance d = surface_distance(surface, reference, {.samples = run.samples});
-  f.mean_forth = d.forth.mean;
-  f.mean_back = d.back.mean;
-  f.max_forth = d.forth.max;
-  f.max_back = d.back.max;
+  set(row, "mean_distance_forth", d.forth.mean);
+  set(row, "mean_distance_back", d.back.mean);
+  set(row, "max_distance_forth", d.forth.max);
+  set(row, "max_distance_back", d.back.max);
 }
 
-void measure(const Triangles& surface, const Scene& scene, const OneRun& run, Row& row) {
-  Figures& f = row.figures;
-  f.volume_drift = volume(surface) / volume(scene.surface) - 1;
-  if (surface.triangles.empty()) {
-    f.components = f.euler = f.topology_right = 0;
-    f.volume_error = -1;
-    row.outcome = kStoppedRun;
-    row.failure = "the surface has vanished: every part was thinner than a cell and split away";
-    return;
-  }
-  measure_shape(surface, f);
-  if (!run.reference.empty()) measure_error(surface, run, f);
-  row.surface = fingerprint(surface);
+void set_vanished(Row& row) {
+  for (const char* figure : {"components", "euler", "topology_right"}) set(row, figure, 0);
+  set(row, "volume_error", -1);
+  row.set("outcome", kStoppedRun);
+  row.set("failure", "the surface has vanished: every part was thinner than a cell and split away");
+}
+
+void measure(Row& row, const Triangles& surface, const TradeRun& run) {
+  if (surface.triangles.empty()) return set_vanished(row);
+  set_shape(row, surface);
+  if (!run.reference.empty()) set_error(row, surface, run);
+  row.set("surface", fingerprint(surface));
   if (!run.surface.empty()) write_triangles(run.surface, surface);
 }
 
-void run_scene(const OneRun& run, Row& row) {
+/// The scene to its end, as only the tracker's mesh goes there.
+Scene read_whole(const TradeRun& run) {
   Scene scene = read_scene(run.scene, run.changes);
-  Stepper stepper(scene, scene.tracker);
-  Costs costs(row);
-  forget_peak();
-  for (std::int64_t i = 1; i <= scene.time.steps() && !stepper.vanished(); ++i) {
-    stepper.step(i, costs);
-    costs.stepped(stepper.tracker().surface());
-  }
-  row.outcome = row.figures.refused > 0 ? kRefusedRun : kDoneRun;
-  measure(stepper.tracker().surface(), scene, run, row);
+  require_tracked_mesh(scene);
+  scene.measure.until_components = 0;
+  return scene;
+}
+
+void run_and_measure(Row& row, const TradeRun& run) {
+  Scene scene = read_whole(run);
+  const double first_volume = volume(scene.surface);
+  const SceneRun made = run_scene(scene, {scene.time.end});
+  row.set("outcome", made.outcome);
+  row.set("failure", made.outcome == kRefusedRun ? made.refusal : made.failure);
+  if (made.snapshots.empty()) return;
+  const Snapshot& end = made.snapshots.back();
+  set_costs(row, end);
+  if (made.outcome == kStoppedRun) return;
+  row.set("failure", made.refusal);
+  set(row, "volume_drift", volume(end.surface) / first_volume - 1);
+  measure(row, end.surface, run);
 }
 
 }  // namespace
 
-Row run_once(const OneRun& run) {
-  Row row;
+Row run_once(const TradeRun& run) {
+  Row row{{"outcome", ""}, {"failure", ""}};
+  for (const char* figure : kFigures) row.set(figure, kUnknown);
+  row.set("surface", "");
+  std::string failure;
   try {
-    run_scene(run, row);
+    run_and_measure(row, run);
     return row;
   } catch (const std::bad_alloc&) {
-    row.failure = "there is not enough memory for this";
+    failure = "there is not enough memory for this";
   } catch (const std::exception& error) {
-    row.failure = error.what();
+    failure = error.what();
   }
-  if (row.figures.steps >= 0)  // the scene was read
-    row.failure = fmt::format("step {}: {}", row.figures.steps + 1, row.failure);
-  row.outcome = kStoppedRun;
-  return row;
-}
-
-std::string packed(const Row& row) {
-  json figures = json::array();
-  for (const NamedFigure& f : kFigures) {
-    const double x = row.figures.*f.figure;
-    figures.push_back(std::isfinite(x) ? json(x) : json());
-  }
-  return json{{"outcome", row.outcome},
-              {"failure", row.failure},
-              {"surface", row.surface},
-              {"figures", figures}}
-      .dump(-1, ' ', true, json::error_handler_t::replace);
-}
-
-Row unpacked(const std::string& bytes) {
-  const json j = json::parse(bytes);
-  Row row;
-  row.outcome = j.at("outcome");
-  row.failure = j.at("failure");
-  row.surface = j.at("surface");
-  for (std::size_t i = 0; i < kFigures.size(); ++i)
-    if (const json& x = j.at("figures").at(i); !x.is_null())
-      row.figures.*kFigures[i].figure = x.get<double>();
+  const double steps = row.number("steps");
+  row.set("failure", steps >= 0 ? fmt::format("step {}: {}", steps + 1, failure) : failure);
+  row.set("outcome", kStoppedRun);
   return row;
 }
 

@@ -1,13 +1,14 @@
-// One run of a scene for a study: its cost, and its error against the reference.
+// One run of a scene for a trade study: its cost, and its error against the reference.
 #pragma once
 
 #include <filesystem>
 
+#include "sims/scene/scene.h"
 #include "sims/study/table/row.h"
 
 namespace suture::sims {
 
-struct OneRun {
+struct TradeRun {
   std::filesystem::path scene;
   SceneChanges changes;
   std::filesystem::path reference;     ///< mesh to measure against; empty: nothing is measured
@@ -17,13 +18,9 @@ struct OneRun {
   std::size_t samples = 20000;         ///< on each surface, for distances
 };
 
-/// Runs the scene without pictures and fills in outcome, failure, figures and surface; bad input
-/// and internal failures are an outcome. Memory and seconds are of this process, so it should run
-/// in one of its own, and without the measuring. \throw nothing that a run is to survive
-Row run_once(const OneRun& run);
-
-/// A row's outcome, failure, figures and surface as bytes to be sent between processes, and back.
-std::string packed(const Row& row);
-Row unpacked(const std::string& bytes);
+/// Runs the scene's mesh without pictures. \return outcome, failure, every figure of a trade row
+/// and the surface's fingerprint; bad input and internal failures are an outcome. Memory and
+/// seconds are of this process, so it should run in one of its own, and without the measuring.
+Row run_once(const TradeRun& run);
 
 }  // namespace suture::sims

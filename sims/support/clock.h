@@ -50,7 +50,7 @@ struct Costs {
   /// Does the work, and adds its CPU seconds to the part, even if the work throws.
   template <class Work>
   auto timed(std::string_view part, const Work& work) {
-    const Timing timing{*this, part, {}};
+    const Timing timing{*this, part, Lap()};
     return work();
   }
   void add_seconds(std::string_view part, double more) { entry(seconds, part) += more; }

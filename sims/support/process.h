@@ -15,12 +15,12 @@ using Say = std::function<void(const std::string& message)>;
 
 /// How a process ended, and what it used.
 struct Ended {
-  bool finished = false;     ///< its work returned, and every message arrived whole
+  bool finished = false;     ///< its work returned and said something, which came whole
   bool out_of_time = false;  ///< it was ended for that
   int signal = 0;            ///< that killed it, or 0
   int exit_code = 0;
   double cpu_seconds = 0, peak_megabytes = 0;
-  std::string said;  ///< its only message, where it has one; empty unless it finished
+  std::string said;  ///< its last message, which is the only one of many; empty unless it finished
 
   std::string words() const;  ///< why it did not finish; empty if it did
 };

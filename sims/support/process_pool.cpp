@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <list>
+#include <utility>
 
 #include "sims/support/clock.h"
 
@@ -16,6 +17,7 @@ struct Worker {
   std::size_t id;
   Process process;
   double since = wall_seconds(), cpu_since = 0;
+  std::optional<std::string> said = {};  ///< last
 
   bool hangs(double allowed) const {
     constexpr double kPatience = 10;  // seconds by the clock for each CPU second that is allowed
@@ -61,6 +63,7 @@ class Pool {
     const bool talks = w.process.hear(messages);
     for (const std::string& message : messages) client_.heard(w.id, message);
     if (!messages.empty()) {
+      w.said = std::move(messages.back());
       w.since = wall_seconds();
       w.cpu_since = w.process.cpu_seconds();
     }
@@ -69,7 +72,8 @@ class Pool {
     if (hangs) w.process.kill();
     Ended ended = w.process.wait();
     ended.out_of_time = hangs;
-    ended.finished = ended.finished && !hangs;
+    ended.finished = ended.finished && !hangs && w.said;
+    if (ended.finished) ended.said = std::move(*w.said);
     client_.ended(w.id, ended);
     return false;
   }
@@ -79,52 +83,31 @@ class Pool {
   std::list<Worker> workers_;
 };
 
-/// Tasks of one result each.
-class Results : public PoolClient {
+/// One task, whose only message is its result.
+class Single : public PoolClient {
  public:
-  using Work = std::function<std::string(std::size_t)>;
-  using Told = std::function<void(std::size_t, const Ended&)>;
-  Results(const std::vector<std::size_t>& order, const Work& work, const Told& told)
-      : order_(order), work_(work), told_(told), said_(order.size()) {}
-
-  std::optional<ProcessTask> next() override {
-    if (next_ == order_.size()) return std::nullopt;
-    const std::size_t index = order_[next_];
-    return ProcessTask{next_++, [this, index](const Say& say) { say(work_(index)); }};
-  }
-  void heard(std::size_t id, const std::string& message) override { said_[id] = message; }
-  void ended(std::size_t id, const Ended& how) override {
-    Ended with = how;
-    with.finished = how.finished && said_[id];
-    if (with.finished) with.said = std::move(*said_[id]);
-    told_(order_[id], with);
-  }
+  explicit Single(const std::function<std::string()>& work) : work_(work) {}
+  Ended how;
 
  private:
-  const std::vector<std::size_t>& order_;
-  const Work& work_;
-  const Told& told_;
-  std::size_t next_ = 0;
-  std::vector<std::optional<std::string>> said_;  ///< by each, if it has come
+  std::optional<ProcessTask> next() override {
+    if (std::exchange(begun_, true)) return std::nullopt;
+    return ProcessTask{0, [this](const Say& say) { say(work_()); }};
+  }
+  void ended(std::size_t /*id*/, const Ended& with) override { how = with; }
+
+  const std::function<std::string()>& work_;
+  bool begun_ = false;
 };
 
 }  // namespace
 
 void run_pool(PoolClient& client, const ProcessOptions& options) { Pool(client, options).run(); }
 
-void in_processes(const std::vector<std::size_t>& order, const ProcessOptions& options,
-                  const std::function<std::string(std::size_t)>& work,
-                  const std::function<void(std::size_t, const Ended&)>& ended) {
-  Results results(order, work, ended);
-  run_pool(results, options);
-}
-
 Ended in_process(const ProcessOptions& options, const std::function<std::string()>& work) {
-  Ended result;
-  in_processes(
-      {0}, options, [&](std::size_t) { return work(); },
-      [&](std::size_t, const Ended& ended) { result = ended; });
-  return result;
+  Single client(work);
+  run_pool(client, options);
+  return client.how;
 }
 
 }  // namespace suture::sims

@@ -24,12 +24,12 @@ struct ProcessTask {
   std::function<void(const Say&)> work;
 };
 
-/// Hands out tasks, and hears what they come to.
+/// Hands out tasks, and hears what they come to: as it is said, or when they end.
 class PoolClient {
  public:
   virtual ~PoolClient() = default;
   virtual std::optional<ProcessTask> next() = 0;  ///< none: there is nothing to start now
-  virtual void heard(std::size_t id, const std::string& message) = 0;
+  virtual void heard(std::size_t /*id*/, const std::string& /*message*/) {}
   virtual void ended(std::size_t id, const Ended& how) = 0;
   virtual void waited() {}  ///< some ten times a second, and whenever something was heard
 };
@@ -39,13 +39,7 @@ class PoolClient {
 /// allows no further process; what the client throws ends all tasks
 void run_pool(PoolClient& client, const ProcessOptions& options);
 
-/// Calls work(i) for each i of `order`, in that order, each in a process, and ended(i, how) here as
-/// each ends, with what the work returned.
-void in_processes(const std::vector<std::size_t>& order, const ProcessOptions& options,
-                  const std::function<std::string(std::size_t)>& work,
-                  const std::function<void(std::size_t, const Ended&)>& ended);
-
-/// Calls work() in a process.
+/// Calls work() in a process, whose only message is what it returns.
 Ended in_process(const ProcessOptions& options, const std::function<std::string()>& work);
 
 }  // namespace suture::sims

@@ -5,12 +5,12 @@
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
+#include <optional>
 
 #include "kernel/errors.h"
 #include "kernel/files.h"
 #include "kernel/formats/mesh_io.h"
-#include "sims/study/settings.h"
-#include "sims/study/table/trade_row.h"
+#include "sims/support/fingerprint.h"
 
 namespace suture::sims {
 namespace {

@@ -18,6 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// The costs' pictures, in their order, and that of the choices.
 constexpr const char* kPictures[] = {"error_seconds.png", "error_memory.png", "choices.png"};
 
 /// Text that gnuplot takes as it is, in single quotes.
@@ -48,8 +49,9 @@ std::string wrapped(const std::string& text, std::size_t most) {
 std::vector<std::string> groups_of(const std::vector<Row>& rows) {
   std::vector<std::string> groups = {"own"};
   for (const Row& row : rows)
-    if (row.design != "grid" && std::find(groups.begin(), groups.end(), row.design) == groups.end())
-      groups.push_back(row.design);
+    if (const std::string design = row.text("design");
+        design != "grid" && std::find(groups.begin(), groups.end(), design) == groups.end())
+      groups.push_back(design);
   groups.emplace_back("grid");
   return groups;
 }
@@ -63,9 +65,19 @@ std::string style_of(std::size_t group, std::size_t groups) {
   return fmt::format("pt {} ps 1.3 lc rgb '{}'", marks[(group - 1) % 7], colours[(group - 1) % 10]);
 }
 
-using Series = std::map<std::string, std::string>;  // name → lines "x y label"
+/// What a panel draws against what; `cell` is the scene's own cell size.
+struct Axes {
+  const Criterion& error;
+  const Criterion& cost;
+  double cell;
+};
+
+/// Points of a panel by the name of their mark, as lines "x y label".
+using Series = std::map<std::string, std::string>;
 
 struct Panel {
+  std::string id;
+  Axes axes;
   Series series;
   std::string ranges;
   bool empty = true;
@@ -104,45 +116,68 @@ struct Span {
   }
 };
 
-Panel panel_of(const std::vector<Row>& rows, const Criterion& error, const Criterion& cost,
-               double cell) {
-  Panel panel;
-  const Span errors(rows, error, cell), costs(rows, cost, cell);
-  panel.ranges = costs.axis("x") + errors.axis("y");
-  const auto point = [&](const Row& row) {
-    return fmt::format("{:.9g} {:.9g} {}\n", costs.shown(cost.of(row, cell)),
-                       errors.shown(error.of(row, cell)), row.run);
-  };
+/// Where rows stand in a panel: costs to the right, errors up.
+class Place {
+ public:
+  Place(const std::vector<Row>& rows, const Axes& axes)
+      : axes_(axes), errors_(rows, axes.error, axes.cell), costs_(rows, axes.cost, axes.cell) {}
+
+  double cost(const Row& row) const { return axes_.cost.of(row, axes_.cell); }
+  double error(const Row& row) const { return axes_.error.of(row, axes_.cell); }
+  std::string ranges() const { return costs_.axis("x") + errors_.axis("y"); }
+  std::string point(const Row& row) const { return line(row, errors_.shown(error(row))); }
+  /// At the height of the worst error, for a row that has none.
+  std::string point_at_top(const Row& row) const { return line(row, errors_.high); }
+
+  bool near(const Row& a, const Row& b) const {
+    return std::abs(costs_.place(cost(a)) - costs_.place(cost(b))) < 0.06 &&
+           std::abs(errors_.place(error(a)) - errors_.place(error(b))) < 0.05;
+  }
+
+ private:
+  std::string line(const Row& row, double height) const {
+    return fmt::format("{:.9g} {:.9g} {}\n", costs_.shown(cost(row)), height, run_number(row));
+  }
+
+  const Axes& axes_;
+  Span errors_, costs_;
+};
+
+Panel panel_of(const std::vector<Row>& rows, const Axes& axes, const std::string& id) {
+  Panel panel{id, axes, {}, {}};
+  const Place place(rows, axes);
+  panel.ranges = place.ranges();
   for (const Row& row : rows) {
-    const double c = cost.of(row, cell), e = error.of(row, cell);
-    if (!std::isnan(c) && !std::isnan(e)) {
-      panel.series[row.failed() ? "failed" : row.sound() ? row.design : "wrong"] += point(row);
+    const bool has_cost = !std::isnan(place.cost(row)), has_error = !std::isnan(place.error(row));
+    if (has_cost && has_error) {
+      panel.series[failed(row)  ? "failed"
+                   : sound(row) ? row.text("design")
+                                : "wrong"] += place.point(row);
       panel.empty = false;
-    } else if (row.failed() && !std::isnan(c)) {
-      panel.series["lost"] +=
-          fmt::format("{:.9g} {:.9g} {}\n", costs.shown(c), errors.high, row.run);
+    } else if (failed(row) && has_cost) {
+      panel.series["lost"] += place.point_at_top(row);
     }
   }
-  double x = -1, y = -1;  // of the last number that was written: they are not to cover one another
-  for (const std::size_t i : pareto_front(rows, error, cost)) {
-    panel.series["front"] += point(rows[i]);
-    const double next_x = costs.place(cost.of(rows[i], cell)),
-                 next_y = errors.place(error.of(rows[i], cell));
-    if (std::abs(next_x - x) < 0.06 && std::abs(next_y - y) < 0.05) continue;
-    panel.series["numbers"] += point(rows[i]);
-    x = next_x;
-    y = next_y;
+  const Row* last = nullptr;  // whose number was written: they are not to cover one another
+  for (const std::size_t i : pareto_front(rows, axes.error, axes.cost)) {
+    panel.series["front"] += place.point(rows[i]);
+    if (last != nullptr && place.near(rows[i], *last)) continue;
+    panel.series["numbers"] += place.point(rows[i]);
+    last = &rows[i];
   }
   return panel;
 }
 
-std::string draw_panel(const Panel& panel, const Criterion& error, const Criterion& cost,
-                       const std::vector<std::string>& groups, const std::string& id) {
+std::string with_unit(const Criterion& c) {
+  return *c.unit == 0 ? std::string(c.name) : fmt::format("{} ({})", c.name, c.unit);
+}
+
+std::string draw_panel(const Panel& panel, const std::vector<std::string>& groups) {
   std::string blocks, plots;
   const auto add = [&](const std::string& name, const std::string& with) {
     const auto at = panel.series.find(name);
     if (at == panel.series.end()) return;
-    const std::string block = fmt::format("${}_{}", id, plots.size());
+    const std::string block = fmt::format("${}_{}", panel.id, plots.size());
     blocks += block + " << EOD\n" + at->second + "EOD\n";
     plots += fmt::format("{} {} {}", plots.empty() ? "plot" : ", \\\n ", block, with);
   };
@@ -154,10 +189,8 @@ std::string draw_panel(const Panel& panel, const Criterion& error, const Criteri
   add("lost", "using 1:2 with points pt 1 ps 2 lw 3 lc rgb '#cc0000' notitle");
   add("numbers", "using 1:2:3 with labels offset 0.6,0.6 left font ',9' tc rgb '#cc0000' notitle");
   return blocks + panel.ranges +
-         fmt::format("set xlabel {}\nset ylabel {}\n",
-                     quoted(fmt::format("{} ({})", cost.name, cost.unit)),
-                     quoted(*error.unit == 0 ? std::string(error.name)
-                                             : fmt::format("{} ({})", error.name, error.unit))) +
+         fmt::format("set xlabel {}\nset ylabel {}\n", quoted(with_unit(panel.axes.cost)),
+                     quoted(with_unit(panel.axes.error))) +
          plots + "\n";
 }
 
@@ -187,21 +220,19 @@ std::string draw_legend(const std::vector<std::string>& groups, const std::strin
   return out + plots + "\nunset label 1\n";
 }
 
-std::string draw_front(const std::vector<Row>& rows, const PlotOptions& options,
-                       const Criterion& cost, const std::string& picture) {
+/// All errors against a cost, by its index.
+std::string draw_front(const std::vector<Row>& rows, const PlotOptions& options, std::size_t cost) {
   const std::vector<std::string> groups = groups_of(rows);
-  std::string out = "reset\nset output " + quoted(picture) +
+  std::string out = "reset\nset output " + quoted(kPictures[cost]) +
                     "\nset term pngcairo size 1400,1050 font 'Sans,11' noenhanced\n"
                     "set multiplot layout 2,2 title " +
                     quoted(options.title) +
                     " font ',14'\nset logscale xy\nset grid lc rgb '#dddddd' lt 1\n"
                     "set format xy '%g'\n";
   for (std::size_t i = 0; i < kErrors.size(); ++i) {
-    const Panel panel = panel_of(rows, kErrors[i], cost, options.cell_size);
-    if (panel.empty)
-      out += "set multiplot next\n";
-    else
-      out += draw_panel(panel, kErrors[i], cost, groups, "p" + std::to_string(i));
+    const Axes axes{kErrors[i], kCosts[cost], options.cell_size};
+    const Panel panel = panel_of(rows, axes, "p" + std::to_string(i));
+    out += panel.empty ? "set multiplot next\n" : draw_panel(panel, groups);
   }
   return out + draw_legend(groups, options.reference) + "unset multiplot\nunset output\n";
 }
@@ -209,46 +240,50 @@ std::string draw_front(const std::vector<Row>& rows, const PlotOptions& options,
 /// A choice's seconds, memory and error as multiples of the scene's own, a line each.
 struct Choices {
   std::array<std::string, 3> points;
-  std::string tics, failed, wrong;
+  std::string tics, failures, wrong;
   int places = 0;
   Span span;
 
   Choices(const std::vector<Row>& rows, const Row& own) {
     for (const Row& row : rows) {
-      if (row.design == "own" || row.design == "grid") continue;
+      if (row.text("design") == "own" || row.text("design") == "grid") continue;
       ++places;
-      tics += fmt::format("{}{} {}", tics.empty() ? "" : ", ", quoted(row.change), -places);
+      tics += fmt::format("{}{} {}", tics.empty() ? "" : ", ", quoted(row.text("change")), -places);
       for (std::size_t i = 0; i < kShown.size(); ++i) {
         const double ratio = kShown[i]->of(row, 1) / kShown[i]->of(own, 1);
         if (!(ratio > 0 && std::isfinite(ratio))) continue;
         points[i] += fmt::format("{:.6g} {}\n", ratio, -places);
         span.take(ratio);
       }
-      if (!row.sound()) (row.failed() ? failed : wrong) += fmt::format("{}\n", -places);
+      if (!sound(row)) (failed(row) ? failures : wrong) += fmt::format("{}\n", -places);
     }
   }
 
   static constexpr std::array<const Criterion*, 3> kShown = {&kCosts[0], &kCosts[1], &kErrors[0]};
 };
 
-std::string draw_choices(const std::vector<Row>& rows, const PlotOptions& options,
-                         const std::string& picture) {
-  const auto own =
-      std::find_if(rows.begin(), rows.end(), [](const Row& row) { return row.design == "own"; });
-  if (own == rows.end() || own->failed()) return "";
+std::string choices_heading(const Choices& choices, const PlotOptions& options) {
+  return fmt::format(
+             "reset\nset output {}\nset term pngcairo size 1200,{} font 'Sans,11' noenhanced\n"
+             "set title {} font ',14'\nset logscale x\nset yrange [{}:0]\nset ytics ({})\n"
+             "set bmargin 6\n"
+             "set grid lc rgb '#dddddd' lt 1\nset key at screen 0.5,0.012 center bottom horizontal "
+             "maxrows 1 width 2\nset format x '%g'\n"
+             "set xlabel 'multiples of what the scene as it is has (1: the same; further left is "
+             "better)'\n"
+             "set arrow 1 from 1,graph 0 to 1,graph 1 nohead lc rgb '#000000' lw 1.5\n",
+             quoted(kPictures[2]), 190 + 26 * choices.places,
+             quoted(options.title + ": one choice at a time"), -choices.places - 1, choices.tics) +
+         choices.span.axis("x");
+}
+
+std::string draw_choices(const std::vector<Row>& rows, const PlotOptions& options) {
+  const auto own = std::find_if(rows.begin(), rows.end(),
+                                [](const Row& row) { return row.text("design") == "own"; });
+  if (own == rows.end() || failed(*own)) return "";
   const Choices choices(rows, *own);
   if (choices.span.high == 0) return "";
-  std::string out = fmt::format(
-      "reset\nset output {}\nset term pngcairo size 1200,{} font 'Sans,11' noenhanced\n"
-      "set title {} font ',14'\nset logscale x\nset yrange [{}:0]\nset ytics ({})\nset bmargin 6\n"
-      "set grid lc rgb '#dddddd' lt 1\nset key at screen 0.5,0.012 center bottom horizontal "
-      "maxrows 1 width 2\nset format x '%g'\n"
-      "set xlabel 'multiples of what the scene as it is has (1: the same; further left is "
-      "better)'\n"
-      "set arrow 1 from 1,graph 0 to 1,graph 1 nohead lc rgb '#000000' lw 1.5\n",
-      quoted(picture), 190 + 26 * choices.places, quoted(options.title + ": one choice at a time"),
-      -choices.places - 1, choices.tics);
-  out += choices.span.axis("x");
+  std::string out = choices_heading(choices, options);
   static constexpr const char* styles[] = {"pt 7 ps 1.4 lc rgb '#1f77b4'",
                                            "pt 5 ps 1.2 lc rgb '#999999'",
                                            "pt 9 ps 1.5 lc rgb '#ff7f0e'"};
@@ -266,7 +301,7 @@ std::string draw_choices(const std::vector<Row>& rows, const PlotOptions& option
         ", $m{} using ({:.9g}):1 with points pt {} ps 1.6 lw 2.5 lc rgb '#cc0000' title '{}'", kind,
         choices.span.low, kind, meaning);
   };
-  mark(choices.failed, 2, "failed");
+  mark(choices.failures, 2, "failed");
   mark(choices.wrong, 10, "wrong topology");
   return out + plots + "\nunset output\n";
 }
@@ -274,10 +309,8 @@ std::string draw_choices(const std::vector<Row>& rows, const PlotOptions& option
 }  // namespace
 
 std::string plot_script(const std::vector<Row>& rows, const PlotOptions& options) {
-  return "# Run by gnuplot in this folder; suture trade made it.\n" +
-         draw_front(rows, options, kCosts[0], kPictures[0]) +
-         draw_front(rows, options, kCosts[1], kPictures[1]) +
-         draw_choices(rows, options, kPictures[2]);
+  return "# Run by gnuplot in this folder; suture trade made it.\n" + draw_front(rows, options, 0) +
+         draw_front(rows, options, 1) + draw_choices(rows, options);
 }
 
 std::string draw(const std::vector<Row>& rows, const PlotOptions& options, const fs::path& folder) {

@@ -3,7 +3,7 @@
 
 #include <filesystem>
 
-#include "sims/study/table/row.h"
+#include "sims/study/table/trade_row.h"
 
 namespace suture::sims {
 

@@ -12,11 +12,12 @@
 namespace suture::sims {
 namespace {
 
-double seconds(const Row& row) { return row.figures.tracker_seconds; }
-double volume_error(const Row& row) { return std::abs(row.figures.volume_error); }
+double megabytes(const Row& row) { return row.number("peak_megabytes"); }
+
+bool is_own(const Row& row) { return row.text("design") == "own"; }
 
 std::string choice(const Row& row) {
-  return row.change.empty() ? "the scene as it is" : "`" + row.change + "`";
+  return row.text("change").empty() ? "the scene as it is" : "`" + row.text("change") + "`";
 }
 
 /// The page as it grows.
@@ -25,7 +26,7 @@ class Page {
   Page(const std::vector<Row>& rows, const RecommendOptions& options)
       : rows_(rows), options_(options) {
     for (const Row& row : rows)
-      if (row.design == "own") own_ = &row;
+      if (is_own(row)) own_ = &row;
   }
 
   std::string write() {
@@ -56,25 +57,25 @@ class Page {
   }
 
   std::string figures(const Row& row) const {
-    const Figures& f = row.figures;
     return fmt::format("mean distance {} cells, largest {}, volume {:+.2g} %, {:.3g} s, {:.0f} MB",
-                       cells(f.mean_distance()), cells(f.max_distance()), 100 * f.volume_error,
-                       f.tracker_seconds, f.peak_megabytes);
+                       cells(mean_distance(row)), cells(max_distance(row)),
+                       100 * row.number("volume_error"), tracker_seconds(row),
+                       row.number("peak_megabytes"));
   }
 
   /// How a row's cost and error compare with the scene's own, where that is sound.
   std::string beside_own(const Row& row) const {
-    if (own_ == nullptr || !own_->sound() || &row == own_) return "";
+    if (own_ == nullptr || !sound(*own_) || &row == own_) return "";
     return fmt::format(
         " ({:.2g} × the seconds and {:.2g} × the mean distance of the scene as it is)",
-        seconds(row) / seconds(*own_), row.figures.mean_distance() / own_->figures.mean_distance());
+        tracker_seconds(row) / tracker_seconds(*own_), mean_distance(row) / mean_distance(*own_));
   }
 
   void choose() {
     const Row& best = *least_error(rows_);
-    say("## Choose\n\n- For the smallest error: {} (run {}): {}{}.\n", choice(best), best.run,
-        figures(best), beside_own(best));
-    if (own_ != nullptr && own_->sound()) {
+    say("## Choose\n\n- For the smallest error: {} (run {}): {}{}.\n", choice(best),
+        run_number(best), figures(best), beside_own(best));
+    if (own_ != nullptr && sound(*own_)) {
       const Row& cheaper = *as_good_for_less(rows_, *own_);
       if (&cheaper == own_)
         say("- Nothing tried is as good as the scene as it is in distances, volume and "
@@ -83,13 +84,13 @@ class Page {
       else
         say("- For no more error or self-intersections than the scene as it is, at the least cost: "
             "{} (run {}): {}{}.\n",
-            choice(cheaper), cheaper.run, figures(cheaper), beside_own(cheaper));
+            choice(cheaper), run_number(cheaper), figures(cheaper), beside_own(cheaper));
     } else if (own_ != nullptr) {
       say("- The scene as it is is no sound choice: {}.\n", why(*own_));
     }
     const Row& fast = rows_[pareto_front(rows_, kErrors[0], kCosts[0]).front()];
-    say("- For the least seconds: {} (run {}): {}{}.\n\n", choice(fast), fast.run, figures(fast),
-        beside_own(fast));
+    say("- For the least seconds: {} (run {}): {}{}.\n\n", choice(fast), run_number(fast),
+        figures(fast), beside_own(fast));
   }
 
   void front() {
@@ -100,72 +101,71 @@ class Page {
         "|--:|---|--:|--:|--:|--:|--:|--:|--:|\n");
     for (const std::size_t i : pareto_front(rows_, kErrors[0], kCosts[0])) {
       const Row& r = rows_[i];
-      const Figures& f = r.figures;
-      say("| {} | {} | {:.3g} | {:.0f} | {} | {} | {:+.2g} % | {:.0f} | {:.2g}° |\n", r.run,
-          choice(r), f.tracker_seconds, f.peak_megabytes, cells(f.mean_distance()),
-          cells(f.max_distance()), 100 * f.volume_error, f.intersecting_pairs, f.least_angle);
+      say("| {} | {} | {:.3g} | {:.0f} | {} | {} | {:+.2g} % | {:.0f} | {:.2g}° |\n", run_number(r),
+          choice(r), tracker_seconds(r), r.number("peak_megabytes"), cells(mean_distance(r)),
+          cells(max_distance(r)), 100 * r.number("volume_error"),
+          r.number("self_intersecting_pairs"), r.number("least_angle"));
     }
     say("\nPairs are self-intersecting triangles of the last surface.\n\n");
   }
 
-  std::string times(double value, double of) const {
-    const double ratio = value / of;
+  /// A row's figure as a multiple of the scene's own.
+  std::string times(double (*of)(const Row&), const Row& row) const {
+    const double ratio = of(row) / of(*own_);
     return std::isfinite(ratio) ? fmt::format("{:.2f}", ratio) : "–";
   }
 
   void choices() {
-    const Figures& o = own_->figures;
     say("## What each choice costs\n\nOne at a time, as multiples of the scene as it is ({}).\n\n"
         "| run | choice | seconds | memory | mean | largest | \\|volume error\\| | what else |\n"
         "|--:|---|--:|--:|--:|--:|--:|---|\n",
-        own_->failed() ? why(*own_) : figures(*own_));
+        failed(*own_) ? why(*own_) : figures(*own_));
     for (const Row& row : rows_) {
-      if (row.design == "own" || row.design == "grid") continue;
-      const Figures& f = row.figures;
-      say("| {} | {} | {} | {} | {} | {} | {} | {} |\n", row.run, choice(row),
-          times(f.tracker_seconds, o.tracker_seconds), times(f.peak_megabytes, o.peak_megabytes),
-          times(f.mean_distance(), o.mean_distance()), times(f.max_distance(), o.max_distance()),
-          times(volume_error(row), volume_error(*own_)), remark(row));
+      if (is_own(row) || row.text("design") == "grid") continue;
+      say("| {} | {} | {} | {} | {} | {} | {} | {} |\n", run_number(row), choice(row),
+          times(tracker_seconds, row), times(megabytes, row), times(mean_distance, row),
+          times(max_distance, row), times(volume_error, row), remark(row));
     }
     say("\n");
   }
 
   std::string remark(const Row& row) const {
-    const bool same = !row.surface.empty() && row.surface == own_->surface && &row != own_;
-    std::string remark = row.sound() ? "" : (row.failed() ? "" : "other topology: ") + why(row);
+    const bool same = !row.text("surface").empty() &&
+                      row.text("surface") == own_->text("surface") && &row != own_;
+    std::string remark = sound(row) ? "" : (failed(row) ? "" : "other topology: ") + why(row);
     if (same) remark += (remark.empty() ? "" : "; ") + std::string("the same surface, bit for bit");
     return remark;
   }
 
   std::string why(const Row& row) const {
-    const Figures& f = row.figures;
-    if (row.outcome == kRefusedRun)
-      return fmt::format("{:.0f} of {:.0f} remodels were refused, the first because: {}", f.refused,
-                         f.remodels, row.failure);
-    if (row.failed()) return row.outcome + ": " + row.failure;
-    return fmt::format("{:.0f} components, Euler characteristic {:.0f}", f.components, f.euler);
+    if (row.text("outcome") == kRefusedRun)
+      return fmt::format("{:.0f} of {:.0f} remodels were refused, the first because: {}",
+                         row.number("refused"), row.number("remodels"), row.text("failure"));
+    if (failed(row)) return row.text("outcome") + ": " + row.text("failure");
+    return fmt::format("{:.0f} components, Euler characteristic {:.0f}", row.number("components"),
+                       row.number("euler"));
   }
 
   void failures() {
     say("## What fails\n\n");
     bool any = false;
     for (const Row& row : rows_)
-      if (row.failed()) {
-        say("- run {}, {}: {}.\n", row.run, choice(row), why(row));
+      if (failed(row)) {
+        say("- run {}, {}: {}.\n", run_number(row), choice(row), why(row));
         any = true;
       }
     if (!any) say("Nothing: every run went to its end, and no surgery was refused.\n");
     std::map<std::string, std::string> others;
     for (const Row& row : rows_) {
-      if (row.failed() || row.sound()) continue;
+      if (failed(row) || sound(row)) continue;
       std::string& runs = others[why(row)];
-      runs += (runs.empty() ? "" : ", ") + std::to_string(row.run);
+      runs += (runs.empty() ? "" : ", ") + std::to_string(run_number(row));
     }
     if (others.empty()) return;
     say("\nThese went to their end with another topology than {}, and are not on the front:\n\n",
         options_.topology);
     for (const auto& [topology, runs] : others) say("- {}: runs {}.\n", topology, runs);
-    if (own_ != nullptr && !own_->failed() && !own_->sound())
+    if (own_ != nullptr && !failed(*own_) && !sound(*own_))
       say("\nThe scene as it is is one of them. Topology changes at the size of a cell, so a finer "
           "run splits later: let the scene end well after its last event, or say which topology is "
           "right (`--topology`).\n");
@@ -187,11 +187,11 @@ const Row* least_error(const std::vector<Row>& rows) {
 const Row* as_good_for_less(const std::vector<Row>& rows, const Row& than) {
   const Row* best = &than;
   for (const Row& row : rows) {
-    if (!row.sound() || !(seconds(row) < seconds(*best))) continue;
-    const bool as_good = row.figures.mean_distance() <= than.figures.mean_distance() &&
-                         row.figures.max_distance() <= than.figures.max_distance() &&
-                         volume_error(row) <= volume_error(than) &&
-                         !(row.figures.intersecting_pairs > than.figures.intersecting_pairs);
+    if (!sound(row) || !(tracker_seconds(row) < tracker_seconds(*best))) continue;
+    const bool as_good =
+        mean_distance(row) <= mean_distance(than) && max_distance(row) <= max_distance(than) &&
+        volume_error(row) <= volume_error(than) &&
+        !(row.number("self_intersecting_pairs") > than.number("self_intersecting_pairs"));
     if (as_good) best = &row;
   }
   return best;

@@ -1,7 +1,7 @@
 // What a study's table says, in words: what to choose, what it costs, what fails.
 #pragma once
 
-#include "sims/study/table/row.h"
+#include "sims/study/table/trade_row.h"
 
 namespace suture::sims {
 

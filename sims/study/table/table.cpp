@@ -1,4 +1,4 @@
-// A row of the table of measurements: cells by name, in order; and the table in its file.
+// Rows in a CSV file, and on their way from one process to another.
 #include "sims/study/table/table.h"
 
 #include <fcntl.h>
@@ -8,13 +8,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <nlohmann/json.hpp>
 
 #include "kernel/errors.h"
 #include "kernel/files.h"
-#include "sims/support/csv.h"
 
 namespace suture::sims {
 namespace {
+
+using nlohmann::json;
 
 /// A folder held by this process alone, among those that ask; no file is left by it.
 class Held {
@@ -34,9 +36,9 @@ class Held {
   int file_;
 };
 
-void add_columns(Cells& columns, const Record& row) {
+void add_columns(Cells& columns, const Row& row) {
   std::size_t at = 0;
-  for (const auto& [name, text] : row) {
+  for (const auto& [name, cell] : row.cells()) {
     const auto found = std::find(columns.begin(), columns.end(), name);
     if (found != columns.end()) {
       at = static_cast<std::size_t>(found - columns.begin()) + 1;
@@ -47,53 +49,77 @@ void add_columns(Cells& columns, const Record& row) {
   }
 }
 
-std::string csv_of(const std::vector<Record>& rows) {
+json to_json(const Cell& cell) {
+  const auto* x = std::get_if<double>(&cell);
+  return x != nullptr && (std::isfinite(*x) || std::isnan(*x)) ? json(*x) : json(cell_text(cell));
+}
+
+Cell cell_from(const json& j) {
+  if (j.is_string()) return j.get<std::string>();
+  return j.is_null() ? kUnknown : j.get<double>();  // JSON has no NaN
+}
+
+}  // namespace
+
+std::string to_csv(const std::vector<Row>& rows) {
+  if (rows.empty()) return "";
   Cells columns;
-  for (const Record& row : rows) add_columns(columns, row);
+  for (const Row& row : rows) add_columns(columns, row);
   std::string text = csv_line(columns);
-  for (const Record& row : rows) {
+  for (const Row& row : rows) {
     Cells cells;
-    for (const std::string& column : columns) cells.push_back(text_in(row, column));
+    for (const std::string& column : columns) cells.push_back(row.text(column));
     text += csv_line(cells);
   }
   return text;
 }
 
-}  // namespace
-
-std::string cell_of(double x) { return std::isnan(x) ? "" : fmt::format("{:.9g}", x); }
-
-std::string text_in(const Record& record, const std::string& column) {
-  for (const auto& [name, text] : record)
-    if (name == column) return text;
-  return "";
+Table read_table(const std::filesystem::path& file) {
+  Table table;
+  if (!std::filesystem::exists(file)) return table;
+  const std::vector<Cells> lines = csv_lines(read_file(file));
+  if (!lines.empty()) table.columns = lines[0];
+  for (std::size_t i = 1; i < lines.size(); ++i) {
+    if (lines[i].size() != table.columns.size())
+      throw InvalidInput(fmt::format("{}:{}: {} cells where the heading has {}; remove the row",
+                                     file.string(), i + 1, lines[i].size(), table.columns.size()));
+    Row& row = table.rows.emplace_back();
+    for (std::size_t c = 0; c < lines[i].size(); ++c) row.append({{table.columns[c], lines[i][c]}});
+  }
+  return table;
 }
 
-std::vector<Record> read_records(const std::filesystem::path& file) {
-  std::vector<Record> rows;
-  if (!std::filesystem::exists(file)) return rows;
-  const std::vector<Cells> lines = csv_lines(read_file(file));
-  for (std::size_t i = 1; i < lines.size(); ++i) {
-    if (lines[i].size() != lines[0].size())
-      throw InvalidInput(fmt::format("{}:{}: {} cells where the heading has {}; remove the row",
-                                     file.string(), i + 1, lines[i].size(), lines[0].size()));
-    Record& row = rows.emplace_back();
-    for (std::size_t c = 0; c < lines[i].size(); ++c) row.emplace_back(lines[0][c], lines[i][c]);
+void append_rows(const std::filesystem::path& file, const std::vector<Row>& rows,
+                 const std::string& key) {
+  const Held held(file.has_parent_path() ? file.parent_path() : ".");
+  std::vector<Row> all = read_table(file).rows;
+  std::erase_if(all, [&](const Row& old) {
+    return std::any_of(rows.begin(), rows.end(),
+                       [&](const Row& r) { return r.text(key) == old.text(key); });
+  });
+  all.insert(all.end(), rows.begin(), rows.end());
+  write_file(file, to_csv(all));
+}
+
+std::string packed(const std::vector<Row>& rows) {
+  json list = json::array();
+  for (const Row& row : rows) {
+    json& cells = list.emplace_back(json::array());
+    for (const auto& [column, cell] : row.cells())
+      cells.push_back(json::array({column, to_json(cell)}));
+  }
+  return list.dump(-1, ' ', true, json::error_handler_t::replace);
+}
+
+std::vector<Row> unpacked(const std::string& bytes) {
+  std::vector<Row> rows;
+  const json list = json::parse(bytes);
+  for (const json& cells : list) {
+    Row& row = rows.emplace_back();
+    for (const json& cell : cells)
+      row.append({{cell.at(0).get<std::string>(), cell_from(cell.at(1))}});
   }
   return rows;
-}
-
-void append_records(const std::filesystem::path& file, const std::vector<Record>& rows,
-                    const std::string& key) {
-  const Held held(file.has_parent_path() ? file.parent_path() : ".");
-  std::vector<Record> all = read_records(file);
-  const auto remade = [&](const Record& old) {
-    return std::any_of(rows.begin(), rows.end(),
-                       [&](const Record& r) { return text_in(r, key) == text_in(old, key); });
-  };
-  all.erase(std::remove_if(all.begin(), all.end(), remade), all.end());
-  all.insert(all.end(), rows.begin(), rows.end());
-  write_file(file, csv_of(all));
 }
 
 }  // namespace suture::sims

@@ -6,8 +6,8 @@
 #include <catch2/catch.hpp>
 #include <csignal>
 #include <map>
-#include <numeric>
 #include <stdexcept>
+#include <utility>
 
 #include "sims/support/clock.h"
 
@@ -17,14 +17,32 @@ using Catch::Matchers::Contains;
 
 namespace {
 
-std::map<std::size_t, Ended> ended(std::size_t count, const ProcessOptions& options,
-                                   const std::function<std::string(std::size_t)>& work) {
-  std::vector<std::size_t> order(count);
-  std::iota(order.begin(), order.end(), std::size_t{0});
+using Work = std::function<std::string(std::size_t)>;
+
+/// A client whose tasks, by their numbers, have one result each.
+class Numbered : public PoolClient {
+ public:
+  Numbered(std::size_t count, Work work) : count_(count), work_(std::move(work)) {}
   std::map<std::size_t, Ended> all;
-  in_processes(order, options, work,
-               [&](std::size_t i, const Ended& e) { CHECK(all.emplace(i, e).second); });
-  return all;
+
+ private:
+  std::optional<ProcessTask> next() override {
+    if (next_ == count_) return std::nullopt;
+    const std::size_t i = next_++;
+    return ProcessTask{i, [this, i](const Say& say) { say(work_(i)); }};
+  }
+  void ended(std::size_t i, const Ended& e) override { CHECK(all.emplace(i, e).second); }
+
+  std::size_t count_;
+  Work work_;
+  std::size_t next_ = 0;
+};
+
+std::map<std::size_t, Ended> ended(std::size_t count, const ProcessOptions& options,
+                                   const Work& work) {
+  Numbered client(count, work);
+  run_pool(client, options);
+  return client.all;
 }
 
 /// A client whose tasks count to their own number, a message each, and may end badly after it.
