@@ -4,12 +4,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
+#include <utility>
 
 #include "kernel/errors.h"
 #include "kernel/measure/measures.h"
-#include "sims/driver/method_stepper.h"
+#include "sims/driver/scene_steps.h"
 #include "sims/study/table/row.h"
-#include "sims/support/clock.h"
 
 namespace suture::sims {
 namespace {
@@ -19,45 +20,18 @@ bool has_a_mesh(const Scene& scene) {
   return scene.method.is_mesh() || scene.method.kind == MethodKind::semi_lagrangian_contouring;
 }
 
-/// Costs of each part of the steps, as it ends, and why surgery was refused first.
-class Watch : public StepWatcher {
+/// Hears why surgery was refused first.
+class FirstRefusal : public StepWatcher {
  public:
-  void begin() { lap_.next(); }
-  const Costs& costs() const { return costs_; }
-  const std::string& refusal() const { return refusal_; }
+  const std::string& words() const { return words_; }
 
  private:
-  void moved(double /*dt*/) override { costs_.add_seconds("move", lap_.next()); }
-
   void remodelled(const SurgeryReport& r) override {
-    costs_.add_seconds("remodel", lap_.next());
-    costs_.count("remodels");
-    if (r.outcome == Outcome::refused) {
-      if (costs_.count_of("surgeries_refused") == 0) refusal_ = r.failure;
-      costs_.count("surgeries_refused");
-    } else if (r.outcome == Outcome::committed) {
-      costs_.count("surgeries_committed");
-      costs_.count("cells_resampled", static_cast<double>(r.marked.total()));
-    }
+    if (r.outcome == Outcome::refused && !std::exchange(refused_, true)) words_ = r.failure;
   }
 
-  void improved(const QualityReport& r) override {
-    costs_.add_seconds("improve", lap_.next());
-    costs_.count("subdivisions", static_cast<double>(r.subdivisions));
-    costs_.count("collapses", static_cast<double>(r.collapses.done));
-    costs_.count("flips", static_cast<double>(r.flips));
-  }
-
-  Lap lap_;
-  std::string refusal_;
-  Costs costs_{{{"move", 0}, {"remodel", 0}, {"improve", 0}},
-               {{"remodels", 0},
-                {"surgeries_committed", 0},
-                {"surgeries_refused", 0},
-                {"cells_resampled", 0},
-                {"subdivisions", 0},
-                {"collapses", 0},
-                {"flips", 0}}};
+  bool refused_ = false;
+  std::string words_;
 };
 
 /// A run as it goes.
@@ -71,9 +45,9 @@ class Running {
   SceneRun all() {
     try {
       forget_peak();
-      timed([&] { steps_ = make_steps(scene_, scene_.tracker); });
+      timed([&] { steps_.emplace(scene_); });
       go();
-      const bool refused = costs().count_of("surgeries_refused") > 0;
+      const bool refused = steps_->cost().count_of("surgeries_refused") > 0;
       result_.outcome = refused ? kRefusedRun : kDoneRun;
       if (refused) result_.failure = "surgeries were refused";
     } catch (const std::bad_alloc&) {
@@ -81,39 +55,31 @@ class Running {
     } catch (const std::exception& error) {
       stop(error.what());
     }
-    result_.refusal = watch_.refusal();
+    result_.refusal = refusal_.words();
     return std::move(result_);
   }
 
  private:
   void go() {
-    const std::int64_t steps = scene_.time.steps();
     const bool mesh = has_a_mesh(scene_);
     std::size_t next = 0;
     for (; next < times_.size() && times_[next] <= 0; ++next) snap();
-    for (std::int64_t i = 1; i <= steps && next < times_.size(); ++i) {
-      timed([&] {
-        watch_.begin();
-        steps_->step(i, watch_);
-      });
+    while (steps_->more() && next < times_.size()) {
+      timed([&] { steps_->step(refusal_); });
       now_.steps += 1;
       if (mesh) count();
       const bool gone = mesh && steps_->vanished(), over = gone || (mesh && grown_together());
       const double reached = steps_->time() + 1e-9 * scene_.time.step;
-      for (; next < times_.size() && (reached >= times_[next] || i == steps || over); ++next) {
+      const bool end = over || !steps_->more();
+      for (; next < times_.size() && (reached >= times_[next] || end); ++next) {
         snap();
         // Nothing is left at all later times either.
         if (gone) result_.snapshots.back().time = std::max(times_[next], steps_->time());
       }
-      tell(i);
+      tell();
       if (gone) result_.failure = fmt::format("nothing was left at t = {:g}", steps_->time());
       if (over) break;
     }
-  }
-
-  Costs costs() const {
-    const Costs own = steps_->cost();
-    return own.seconds.empty() ? watch_.costs() : own;
   }
 
   template <class F>
@@ -144,15 +110,15 @@ class Running {
   /// Keeps what is known now.
   void keep() {
     now_.time = steps_->time();
-    now_.costs = costs();
+    now_.costs = steps_->cost();
     now_.peak_megabytes = peak_megabytes();
     result_.snapshots.push_back(now_);
   }
 
-  void tell(std::int64_t step) {
+  void tell() {
     if (watcher_ == nullptr) return;
     const std::size_t triangles = has_a_mesh(scene_) ? steps_->surface().triangles.size() : 0;
-    watcher_->stepped({step, scene_.time.steps(), steps_->time(), triangles, 0});
+    watcher_->stepped({steps_->index(), scene_.time.steps(), steps_->time(), triangles, 0});
   }
 
   void stop(const std::string& why) {
@@ -166,25 +132,14 @@ class Running {
   Scene& scene_;
   std::vector<double> times_;
   RunWatcher* watcher_;
-  std::unique_ptr<Steps> steps_;
-  Watch watch_;
+  std::optional<SceneSteps> steps_;
+  FirstRefusal refusal_;
   Snapshot now_;
   double counted_ = 0;
   SceneRun result_;
 };
 
 }  // namespace
-
-void require_tracked_mesh(const Scene& scene) {
-  if (scene.fluid)
-    throw InvalidInput(scene.file.string() +
-                       ": its surface is moved by a fluid, for which there is nothing exact to "
-                       "compare with; run it by `suture run`");
-  if (scene.method.kind != MethodKind::mesh)
-    throw InvalidInput(scene.file.string() + ": the method \"" + method_name(scene.method.kind) +
-                       "\" is no mesh as the tracker looks after it, which this needs; take the "
-                       "table [method] out, or run the scene by `suture run`");
-}
 
 SceneRun run_scene(Scene& scene, std::vector<double> times, RunWatcher* watcher) {
   return Running(scene, std::move(times), watcher).all();

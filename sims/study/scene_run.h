@@ -27,10 +27,6 @@ struct SceneRun {
   std::string refusal;  ///< why the first surgery that was refused was
 };
 
-/// \throw InvalidInput unless the scene's surface is the tracker's mesh, looked after as it says,
-/// and a motion moves it
-void require_tracked_mesh(const Scene& scene);
-
 /// Runs the scene by its method. Snapshots are taken at the first step that reaches each of
 /// `times`, or where the scene's `until_components` ends it; if it stops before, there is one at
 /// its last step, without a surface. Of a surface that vanished there is an empty one at each time

@@ -10,6 +10,7 @@
 #include "kernel/formats/mesh_io.h"
 #include "kernel/measure/distance.h"
 #include "kernel/measure/measures.h"
+#include "sims/driver/scene_steps.h"
 #include "sims/study/scene_run.h"
 #include "sims/study/surface_measures.h"
 #include "sims/study/table/trade_row.h"
@@ -88,7 +89,7 @@ void measure(Row& row, const Triangles& surface, const TradeRun& run) {
 /// The scene to its end, as only the tracker's mesh goes there.
 Scene read_whole(const TradeRun& run) {
   Scene scene = read_scene(run.scene, run.changes);
-  require_tracked_mesh(scene);
+  require_moved_mesh(scene);
   scene.measure.until_components = 0;
   return scene;
 }

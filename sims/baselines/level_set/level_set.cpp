@@ -48,7 +48,7 @@ class LevelSet : public SurfaceTracker {
     });
   }
 
-  void settle() override {
+  void end_of_frame() override {
     if (options_.renormalise.every == 0 || since_ == 0) return;
     contour_.reset();
     costs_.timed("move", [&] { relax(); });
