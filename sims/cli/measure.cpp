@@ -37,25 +37,25 @@ std::string command_of(const Settings& s) {
   return text;
 }
 
-void print_rows(const std::vector<Record>& rows) {
-  for (const Record& row : rows)
-    for (const auto& [column, text] : row)
-      if (!text.empty()) fmt::print("{:<36}{}\n", column, text);
+void print_rows(const std::vector<Row>& rows) {
+  for (const Row& row : rows)
+    for (const auto& [column, cell] : row.cells())
+      if (const std::string text = cell_text(cell); !text.empty())
+        fmt::print("{:<36}{}\n", column, text);
 }
 
 /// The rows that the table has of this command already.
-std::vector<Record> made_before(const Settings& s, const std::string& command) {
-  std::vector<Record> rows;
+std::vector<Row> made_before(const Settings& s, const std::string& command) {
+  std::vector<Row> rows;
   if (s.afresh || s.csv.empty()) return rows;
-  for (Record& row : read_records(s.csv))
-    if (text_in(row, "command") == command) rows.push_back(std::move(row));
+  for (Row& row : read_table(s.csv).rows)
+    if (row.text("command") == command) rows.push_back(std::move(row));
   return rows;
 }
 
-int exit_code(const std::vector<Record>& rows) {
-  const bool sound = std::all_of(rows.begin(), rows.end(), [](const Record& row) {
-    return text_in(row, "outcome") == "done";
-  });
+int exit_code(const std::vector<Row>& rows) {
+  const bool sound = std::all_of(rows.begin(), rows.end(),
+                                 [](const Row& row) { return row.text("outcome") == "done"; });
   return sound ? kDone : kNo;
 }
 
@@ -64,7 +64,7 @@ int run_measure(Settings s) {
   m.changes = read_changes(s.change);
   const std::string command = command_of(s);
   if (!s.csv.empty()) require_folder_of(s.csv);
-  if (const std::vector<Record> old = made_before(s, command); !old.empty()) {
+  if (const std::vector<Row> old = made_before(s, command); !old.empty()) {
     fmt::print("{}: the rows of this command are there; --afresh makes them again\n",
                s.csv.string());
     return exit_code(old);
@@ -72,12 +72,12 @@ int run_measure(Settings s) {
   if (!m.surfaces.empty()) std::filesystem::create_directories(m.surfaces);
   if (m.name.empty())
     m.name = m.scene.stem().string() + (s.change.method.empty() ? "" : "." + s.change.method);
-  std::vector<Record> rows;
+  std::vector<Row> rows;
   {
     ProgressBar bar;
     rows = measure(m, command, &bar);
   }
-  if (!s.csv.empty()) append_records(s.csv, rows, "command");
+  if (!s.csv.empty()) append_rows(s.csv, rows, "command");
   print_rows(rows);
   return exit_code(rows);
 }

@@ -21,10 +21,10 @@ class TradeProgress : public TradeWatcher {
   }
   void ended(std::size_t done, std::size_t of, const Row& row) override {
     const bool over = isatty(STDERR_FILENO) == 1;
-    const Figures& f = row.figures;
+    const std::string change = row.text("change");
     fmt::print(stderr, "{}[{}/{}] {}: {}, {:.3g} s, mean distance {:.3g}{}", over ? "\r\033[K" : "",
-               done, of, row.change.empty() ? "as it is" : row.change, row.outcome,
-               f.tracker_seconds, f.mean_distance(), over && done < of ? "" : "\n");
+               done, of, change.empty() ? "as it is" : change, row.text("outcome"),
+               tracker_seconds(row), mean_distance(row), over && done < of ? "" : "\n");
     std::fflush(stderr);
   }
 };

@@ -8,8 +8,8 @@
 
 #include "kernel/files.h"
 #include "sims/fuzz/case_file.h"
-#include "sims/fuzz/child.h"
 #include "sims/fuzz/execute.h"
+#include "sims/support/process_pool.h"
 
 namespace suture::sims {
 
@@ -38,24 +38,22 @@ bool take(const std::string& bytes, std::size_t& at, std::vector<T>& list) {
 struct Reached {};
 
 Triangles surface_before(const FuzzCase& c, std::size_t operation, double seconds) {
-  const Isolated run = run_isolated(
-      [&] {
-        std::string bytes;
-        try {
-          run_case(c, OracleChoice("fast"), [&](std::size_t index, const Triangles& surface) {
-            if (index != operation) return;
-            put(bytes, surface.positions);
-            put(bytes, surface.triangles);
-            throw Reached{};
-          });
-        } catch (const Reached&) {
-        }
-        return bytes;
-      },
-      seconds);
+  const Ended run = in_process({.limit_seconds = seconds}, [&] {
+    std::string bytes;
+    try {
+      run_case(c, OracleChoice("fast"), [&](std::size_t index, const Triangles& surface) {
+        if (index != operation) return;
+        put(bytes, surface.positions);
+        put(bytes, surface.triangles);
+        throw Reached{};
+      });
+    } catch (const Reached&) {
+    }
+    return bytes;
+  });
   Triangles surface;
   std::size_t at = 0;
-  if (!take(run.text, at, surface.positions) || !take(run.text, at, surface.triangles)) return {};
+  if (!take(run.said, at, surface.positions) || !take(run.said, at, surface.triangles)) return {};
   return surface;
 }
 
@@ -74,17 +72,16 @@ OracleChoice only(const std::string& oracle, const OracleChoice& all) {
 }  // namespace
 
 FuzzSummary run_in_child(const FuzzCase& c, const OracleChoice& oracles, double seconds) {
-  const Isolated run =
-      run_isolated([&] { return to_json(run_case(c, oracles).counts).dump(); }, seconds);
-  if (run.death.empty())
-    return summary_from_json(nlohmann::json::parse(run.text), "a child's line");
+  const Ended run = in_process({.limit_seconds = seconds},
+                               [&] { return to_json(run_case(c, oracles).counts).dump(); });
+  if (run.finished) return summary_from_json(nlohmann::json::parse(run.said), "a child's line");
   FuzzSummary died;
   died.cases = 1;
-  if (run.death == "hang")
+  if (run.out_of_time)
     died.failures.push_back(
         {c.seed, "hang", fmt::format("took more than {} s of a core", seconds), {}});
   else
-    died.failures.push_back({c.seed, "crash", run.death, {}});
+    died.failures.push_back({c.seed, "crash", run.words(), {}});
   return died;
 }
 

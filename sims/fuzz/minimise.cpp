@@ -6,8 +6,8 @@
 #include <cmath>
 
 #include "kernel/measure/measures.h"
-#include "kernel/trace.h"
 #include "sims/fuzz/smaller.h"
+#include "sims/support/clock.h"
 
 namespace suture::sims {
 
@@ -35,10 +35,7 @@ class Minimiser {
   }
 
  private:
-  bool over() {
-    seconds_ += watch_.lap();
-    return best_.trials >= limits_.trials || seconds_ > limits_.seconds;
-  }
+  bool over() { return best_.trials >= limits_.trials || watch_.seconds() > limits_.seconds; }
 
   bool try_case(FuzzCase c) {
     if (over()) return false;
@@ -151,8 +148,7 @@ class Minimiser {
   const StillFails& still_fails_;
   const SurfaceBefore& before_;
   const MinimiseLimits& limits_;
-  Stopwatch watch_;
-  double seconds_ = 0;
+  const Lap watch_{wall_seconds};
   bool gained_ = false;
 };
 

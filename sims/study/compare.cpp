@@ -7,12 +7,9 @@
 #include "kernel/measure/measures.h"
 #include "kernel/measure/nearest_triangle.h"
 #include "kernel/measure/symmetric_difference.h"
-#include "sims/study/row.h"
 
 namespace suture::sims {
 namespace {
-
-constexpr double kUnknown = kUnknownFigure;
 
 struct Distances {
   double mean = kUnknown, max = kUnknown;
@@ -44,7 +41,7 @@ Distances corner_distances(const ExactSurface& exact, const NearestTriangle& nea
 
 }  // namespace
 
-Record compare(const Triangles& surface, const Truth& truth, const CompareOptions& options) {
+Row compare(const Triangles& surface, const Truth& truth, const CompareOptions& options) {
   const ExactSurface& exact = truth.exact;
   TwoWayDistance d;
   d.forth = d.back = {kUnknown, kUnknown, kUnknown};
@@ -58,27 +55,27 @@ Record compare(const Triangles& surface, const Truth& truth, const CompareOption
     corners = corner_distances(exact, nearest);
     difference = symmetric_difference(surface, exact.surface, {.lines = options.lines});
   }
-  return {{"volume_error", cell_of(v / truth.volume - 1)},
-          {"symmetric_difference", cell_of(difference.volume / truth.volume)},
-          {"symmetric_difference_error", cell_of(difference.error / truth.volume)},
-          {"line_spacing", cell_of(difference.spacing)},
-          {"mean_distance", cell_of(d.mean())},
-          {"max_distance", cell_of(d.hausdorff())},
-          {"mean_distance_forth", cell_of(d.forth.mean)},
-          {"mean_distance_back", cell_of(d.back.mean)},
-          {"max_distance_forth", cell_of(d.forth.max)},
-          {"max_distance_back", cell_of(d.back.max)},
-          {"sample_spacing", cell_of(d.back.spacing)},
-          {"crease_mean", cell_of(creases.mean)},
-          {"crease_max", cell_of(creases.max)},
-          {"corner_mean", cell_of(corners.mean)},
-          {"corner_max", cell_of(corners.max)},
-          {"reference_tolerance", cell_of(exact.tolerance)},
-          {"reference_mean_error", cell_of(exact.mean_error)},
-          {"reference_max_error", cell_of(exact.max_error)}};
+  return {{"volume_error", v / truth.volume - 1},
+          {"symmetric_difference", difference.volume / truth.volume},
+          {"symmetric_difference_error", difference.error / truth.volume},
+          {"line_spacing", difference.spacing},
+          {"mean_distance", d.mean()},
+          {"max_distance", d.hausdorff()},
+          {"mean_distance_forth", d.forth.mean},
+          {"mean_distance_back", d.back.mean},
+          {"max_distance_forth", d.forth.max},
+          {"max_distance_back", d.back.max},
+          {"sample_spacing", d.back.spacing},
+          {"crease_mean", creases.mean},
+          {"crease_max", creases.max},
+          {"corner_mean", corners.mean},
+          {"corner_max", corners.max},
+          {"reference_tolerance", exact.tolerance},
+          {"reference_mean_error", exact.mean_error},
+          {"reference_max_error", exact.max_error}};
 }
 
-Record compare_markers(const Triangles& surface, const Triangles& start, const Carry& carry) {
+Row compare_markers(const Triangles& surface, const Triangles& start, const Carry& carry) {
   double sum = kUnknown, most = kUnknown;
   if (surface.triangles == start.triangles) {
     sum = most = 0;
@@ -88,7 +85,7 @@ Record compare_markers(const Triangles& surface, const Triangles& start, const C
       most = std::max(most, d);
     }
   }
-  return {{"marker_mean", cell_of(sum)}, {"marker_max", cell_of(most)}};
+  return {{"marker_mean", sum}, {"marker_max", most}};
 }
 
 }  // namespace suture::sims

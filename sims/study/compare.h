@@ -1,8 +1,8 @@
 // Every measure of a surface against the exact one.
 #pragma once
 
-#include "sims/study/record.h"
-#include "sims/study/truth.h"
+#include "sims/study/exact/truth.h"
+#include "sims/study/table/row.h"
 
 namespace suture::sims {
 
@@ -15,10 +15,10 @@ struct CompareOptions {
 /// error; mean and largest distance both ways ("forth" is from the surface to the exact one);
 /// how far points of the exact creases and corners are from the surface. Lengths are in the scene's
 /// unit. An empty surface has a volume error of −1 and no distances.
-Record compare(const Triangles& surface, const Truth& truth, const CompareOptions& options = {});
+Row compare(const Triangles& surface, const Truth& truth, const CompareOptions& options = {});
 
 /// How far vertices are from where the start's would exactly be; empty cells unless the surface
 /// still has the start's triangles, so that its vertices are markers.
-Record compare_markers(const Triangles& surface, const Triangles& start, const Carry& carry);
+Row compare_markers(const Triangles& surface, const Triangles& start, const Carry& carry);
 
 }  // namespace suture::sims

@@ -3,7 +3,6 @@
 
 #include "sims/driver/run.h"
 #include "sims/study/compare.h"
-#include "sims/support/processes.h"
 
 namespace suture::sims {
 
@@ -23,7 +22,7 @@ struct MeasurementOptions {
 /// Runs the scene by its method in a process of its own and measures the surface at each time. A
 /// run that stops, crashes or takes too long is a row that says so. `command` goes into the rows.
 /// \throw InvalidInput for a bad scene, before anything is run
-std::vector<Record> measure(const MeasurementOptions& options, const std::string& command,
-                            RunWatcher* watcher = nullptr);
+std::vector<Row> measure(const MeasurementOptions& options, const std::string& command,
+                         RunWatcher* watcher = nullptr);
 
 }  // namespace suture::sims

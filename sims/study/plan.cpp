@@ -9,7 +9,7 @@
 #include <set>
 
 #include "kernel/errors.h"
-#include "sims/scene/option_names.h"
+#include "surgery/model/option_table.h"
 
 namespace suture::sims {
 namespace {
@@ -57,13 +57,14 @@ Level read_level(const Factor& factor, const std::string& text, const Settings& 
   return level;
 }
 
-template <class T, std::size_t N>
+/// The factor that varies a choice: every word of it but the scene's own.
+template <class Options>
 std::string all_but(const Settings& own, const std::string& key,
-                    const std::array<Named<T>, N>& names) {
+                    const OptionTable<Options>& table) {
   const std::string now = text_of(setting(own, key).value);
   std::vector<std::string> others;
-  for (const Named<T>& n : names)
-    if (n.name != now) others.emplace_back(n.name);
+  for (const std::string& name : table.row(key).about.choices)
+    if (name != now) others.push_back(name);
   return key + "=" + fmt::format("{}", fmt::join(others, ","));
 }
 
@@ -176,16 +177,16 @@ std::vector<Design> designs_of(const std::vector<std::string>& factors, const Se
 }
 
 std::vector<Design> default_designs(const Settings& own, const DesignChoice& choice) {
-  std::vector<std::string> alone = {all_but(own, "arithmetic", kArithmeticNames),
-                                    all_but(own, "collapse", kCollapseNames),
-                                    all_but(own, "placement", kPlacementNames),
+  std::vector<std::string> alone = {all_but(own, "arithmetic", tracker_options()),
+                                    all_but(own, "collapse", tracker_options()),
+                                    all_but(own, "placement", tracker_options()),
                                     "cell_size=x0.5,x2",
                                     "resolution=x0.7,x1.4,x2",
                                     "step=x0.5,x2,x4",
                                     "remodel_every=x2,x5,x10"};
   if (text_of(setting(own, "improve_every").value) != "0")
     for (const std::string& improvement :
-         {std::string("edge_length=x0.7,x1.4"), all_but(own, "subdivision", kSubdivisionNames),
+         {std::string("edge_length=x0.7,x1.4"), all_but(own, "subdivision", quality_options()),
           std::string("improve_every=0,x5"), std::string("passes=1"),
           std::string("volume_bound=x0.1,x10"), std::string("smallest_angle=5,25"),
           std::string("largest_angle=130,170")})

@@ -28,11 +28,13 @@ struct Design {
   std::vector<Factor> factors;
 };
 
-/// The designs that these factors make: each alone, and all as one grid, as asked for. 	hrow
-/// InvalidInput as read_factor, and if one is given twice
+/// Which designs are made of factors: each alone, and all as one grid.
 struct DesignChoice {
   bool one = true, grid = true;
 };
+
+/// The designs that these factors make. \throw InvalidInput as read_factor, and if one is given
+/// twice
 std::vector<Design> designs_of(const std::vector<std::string>& factors, const Settings& own,
                                const DesignChoice& choice);
 

@@ -12,8 +12,9 @@
 #include "kernel/files.h"
 #include "kernel/formats/mesh_io.h"
 #include "sims/driver/scene_steps.h"
-#include "sims/study/one_run.h"
-#include "sims/study/table.h"
+#include "sims/study/table/trade_row.h"
+#include "sims/study/trade_run.h"
+#include "sims/support/fingerprint.h"
 
 namespace suture::sims {
 namespace {
@@ -69,21 +70,20 @@ Reference from_file(const fs::path& file, const fs::path& mesh) {
   return {mesh, "file", "the mesh " + file.string()};
 }
 
-Reference from_finer_run(const fs::path& scene, const fs::path& mesh,
-                         const std::vector<PlannedRun>& runs, double factor) {
-  const Settings own = settings_of(read_scene(scene));
-  const SceneChanges changes = finest_changes(own, runs, factor);
+Reference from_finer_run(const StudyPlan& study, const fs::path& mesh, double factor) {
+  const Settings own = settings_of(read_scene(study.scene));
+  const SceneChanges changes = finest_changes(own, study.runs, factor);
   const std::string words = words_of(own, changes);
   const Row row = run_once(
-      {.scene = scene, .changes = changes, .reference = {}, .topology = {}, .surface = mesh});
-  if (row.outcome != kDoneRun)
+      {.scene = study.scene, .changes = changes, .reference = {}, .topology = {}, .surface = mesh});
+  if (failed(row))
     throw InvalidInput(
         fmt::format("the reference run ({}) failed: {}; give --reference FILE or a "
                     "larger --finest",
-                    words, row.failure));
+                    words, row.text("failure")));
   return {mesh, "finest",
           fmt::format("a finer run: {}; {:.0f} triangles, {:.1f} CPU seconds in the tracker", words,
-                      row.figures.triangles_end, row.figures.tracker_seconds)};
+                      row.number("triangles_end"), tracker_seconds(row))};
 }
 
 /// What reference.txt says below the words: of which scene the reference is.
@@ -152,39 +152,33 @@ SceneChanges finest_changes(const Settings& own, const std::vector<PlannedRun>& 
   return changes;
 }
 
-Reference make_reference(const fs::path& scene, const fs::path& folder,
-                         const std::vector<PlannedRun>& runs, const ReferenceOptions& options) {
-  const fs::path mesh = folder / "reference.ply", note = folder / "reference.txt";
-  const auto left = earlier(scene, mesh, note);
+Reference make_reference(const StudyPlan& study, const ReferenceOptions& options) {
+  const fs::path mesh = study.folder / "reference.ply", note = study.folder / "reference.txt";
+  const auto left = earlier(study.scene, mesh, note);
   if (left && (options.kind.empty() || options.kind == left->kind)) return *left;
   const auto make = [&] {
     std::string kind = options.kind;
-    if (kind.empty()) kind = comes_back(scene) ? "start" : "finest";
-    const Reference made = kind == "start"    ? from_start(scene, mesh)
-                           : kind == "flow"   ? from_flow(scene, mesh)
-                           : kind == "finest" ? from_finer_run(scene, mesh, runs, options.finest)
+    if (kind.empty()) kind = comes_back(study.scene) ? "start" : "finest";
+    const Reference made = kind == "start"    ? from_start(study.scene, mesh)
+                           : kind == "flow"   ? from_flow(study.scene, mesh)
+                           : kind == "finest" ? from_finer_run(study, mesh, options.finest)
                                               : from_file(kind, mesh);
-    write_file(note, made.kind + ": " + made.words + "\n" + scene_line(scene));
+    write_file(note, made.kind + ": " + made.words + "\n" + scene_line(study.scene));
   };
   // In a process of its own: what it takes of memory is not to count for the runs.
-  std::string trouble;
-  in_processes(
-      {0}, options.limit,
-      [&](std::size_t) -> std::string {
-        try {
-          make();
-        } catch (const std::exception& error) {
-          return error.what();
-        }
-        return "";
-      },
-      [&](std::size_t, const Ended& ended) {
-        trouble = ended.finished ? ended.said
-                                 : "the reference could not be made: " + ended.words() +
-                                       "; give --reference FILE or a larger --limit-seconds";
-      });
-  if (!trouble.empty()) throw InvalidInput(trouble);
-  const auto made = earlier(scene, mesh, note);
+  const Ended ended = in_process(options.limit, [&]() -> std::string {
+    try {
+      make();
+    } catch (const std::exception& error) {
+      return error.what();
+    }
+    return "";
+  });
+  if (!ended.finished)
+    throw InvalidInput("the reference could not be made: " + ended.words() +
+                       "; give --reference FILE or a larger --limit-seconds");
+  if (!ended.said.empty()) throw InvalidInput(ended.said);
+  const auto made = earlier(study.scene, mesh, note);
   if (!made) throw InvalidInput(note.string() + ": it cannot be read back; remove the file");
   return *made;
 }

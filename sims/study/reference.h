@@ -3,7 +3,7 @@
 #pragma once
 
 #include "sims/study/plan.h"
-#include "sims/support/processes.h"
+#include "sims/support/process_pool.h"
 
 namespace suture::sims {
 
@@ -35,11 +35,18 @@ Triangles quartered(Triangles surface, std::size_t most);
 SceneChanges finest_changes(const Settings& own, const std::vector<PlannedRun>& runs,
                             double factor);
 
-/// Leaves the reference as reference.ply in `folder`, with reference.txt that says what it is; one
-/// that is there is kept, if it is of this scene and kind. \throw InvalidInput if the finer run
+/// What a reference is for: the scene, the study's folder, and the runs that it is to be finer
+/// than.
+struct StudyPlan {
+  const std::filesystem::path& scene;
+  const std::filesystem::path& folder;
+  const std::vector<PlannedRun>& runs;
+};
+
+/// Leaves the reference as reference.ply in the folder, with reference.txt that says what it is;
+/// one that is there is kept, if it is of this scene and kind. \throw InvalidInput if the finer run
 /// fails, the file is no closed manifold, or a flow is asked for and the motion is no velocity
 /// field
-Reference make_reference(const std::filesystem::path& scene, const std::filesystem::path& folder,
-                         const std::vector<PlannedRun>& runs, const ReferenceOptions& options);
+Reference make_reference(const StudyPlan& study, const ReferenceOptions& options);
 
 }  // namespace suture::sims

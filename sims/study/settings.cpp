@@ -4,43 +4,35 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <nlohmann/json.hpp>
 
 #include "kernel/errors.h"
-#include "sims/output/report_json.h"
+#include "surgery/model/option_table.h"
 
 namespace suture::sims {
 namespace {
 
-using nlohmann::json;
-
-Value value_of(const json& j) {
-  if (j.is_boolean()) return j.get<bool>();
-  if (j.is_number_integer()) return j.get<std::int64_t>();
-  if (j.is_number()) return j.get<double>();
-  if (j.is_string()) return j.get<std::string>();
-  return j.get<std::vector<double>>();
-}
-
-void append(Settings& all, const std::string& table, const json& keys) {
-  for (const auto& [key, value] : keys.items())
-    if (!value.is_object()) all.push_back({table, key, value_of(value)});
+/// Adds settings in the order of their names.
+void append(Settings& all, const std::string& table,
+            std::vector<std::pair<std::string, Value>> values) {
+  std::sort(values.begin(), values.end(),
+            [](const auto& a, const auto& b) { return a.first < b.first; });
+  for (auto& [key, value] : values) all.push_back({table, key, std::move(value)});
 }
 
 }  // namespace
 
 Settings settings_of(const Scene& scene) {
-  TrackerOptions tracker = scene.tracker;
-  if (tracker.quality.edge_length == 0) tracker.quality.edge_length = tracker.cell_size;
-  const json options = to_json(tracker);
+  QualityOptions quality = scene.tracker.quality;
+  if (quality.edge_length == 0) quality.edge_length = scene.tracker.cell_size;
+  const TimeOptions& time = scene.time;
   Settings all;
-  append(all, "tracker", options);
-  append(all, "quality", options.at("quality"));
+  append(all, "tracker", values(scene.tracker, tracker_options()));
+  append(all, "quality", values(quality, quality_options()));
   append(all, "time",
-         {{"step", scene.time.step},
-          {"end", scene.time.end},
-          {"remodel_every", scene.time.remodel_every},
-          {"improve_every", scene.time.improve_every}});
+         {{"step", time.step},
+          {"end", time.end},
+          {"remodel_every", static_cast<std::int64_t>(time.remodel_every)},
+          {"improve_every", static_cast<std::int64_t>(time.improve_every)}});
   return all;
 }
 
@@ -60,20 +52,6 @@ Settings changed(Settings settings, const SceneChanges& changes) {
   for (Setting& s : settings)
     if (const auto at = changes.find(s.full()); at != changes.end()) s.value = at->second;
   return settings;
-}
-
-std::string text_of(const Value& value) {
-  if (const auto* list = std::get_if<std::vector<double>>(&value))
-    return fmt::format("{}", fmt::join(*list, " "));
-  return std::visit(
-      [](const auto& v) -> std::string {
-        using T = std::decay_t<decltype(v)>;
-        if constexpr (std::is_same_v<T, std::vector<double>>)
-          return {};
-        else
-          return fmt::format("{}", v);
-      },
-      value);
 }
 
 std::string words_of(const Settings& settings, const SceneChanges& changes) {

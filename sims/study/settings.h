@@ -27,9 +27,6 @@ const Setting& setting(const Settings& settings, const std::string& key);
 /// The settings with the changes made. \pre the changes name settings
 Settings changed(Settings settings, const SceneChanges& changes);
 
-/// A value as a scene file would have it, but words without quotes; numbers round trip.
-std::string text_of(const Value& value);
-
 /// The changes as words, "cell_size=0.05 arithmetic=rational", in the order of the settings.
 std::string words_of(const Settings& settings, const SceneChanges& changes);
 

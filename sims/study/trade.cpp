@@ -4,16 +4,19 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <deque>
 #include <map>
 
 #include "kernel/errors.h"
 #include "kernel/files.h"
 #include "kernel/lists.h"
 #include "kernel/random.h"
-#include "sims/study/one_run.h"
-#include "sims/study/plot.h"
-#include "sims/study/recommend.h"
-#include "sims/study/table.h"
+#include "sims/study/report/plot.h"
+#include "sims/study/report/recommend.h"
+#include "sims/study/table/trade_row.h"
+#include "sims/study/trade_run.h"
+#include "sims/support/fingerprint.h"
+#include "sims/support/process_pool.h"
 
 namespace suture::sims {
 namespace {
@@ -35,43 +38,43 @@ void require_readable(const fs::path& scene, const std::vector<PlannedRun>& runs
       if (seen.emplace(name + text_of(value), true).second) read_scene(scene, {{name, value}});
 }
 
+std::vector<double> all_of(const std::vector<Row>& rows, const char* figure) {
+  std::vector<double> values;
+  for (const Row& row : rows) values.push_back(row.number(figure));
+  return values;
+}
+
 /// What several processes of one run make of it: the first that failed, or the medians.
 Row combined(const std::vector<Row>& parts) {
   for (const Row& part : parts)
-    if (part.failed() && part.outcome != kRefusedRun) return part;
+    if (failed(part) && part.text("outcome") != kRefusedRun) return part;
   Row row = parts.front();
   for (const Row& part : parts)
-    if (part.surface != row.surface) {
-      row.outcome = kStoppedRun;
-      row.failure = "two runs of the same gave different surfaces";
+    if (part.text("surface") != row.text("surface")) {
+      row.set("outcome", kStoppedRun);
+      row.set("failure", "two runs of the same gave different surfaces");
       return row;
     }
-  std::vector<double> seconds;
-  for (const Row& part : parts) seconds.push_back(part.figures.tracker_seconds);
+  const std::vector<double> seconds = all_of(parts, "tracker_seconds");
   const auto [least, most] = std::minmax_element(seconds.begin(), seconds.end());
   const double middle = median(seconds);
-  if (parts.size() > 1 && middle > 0) row.figures.spread = (*most - *least) / middle;
-  for (double Figures::*figure :
-       {&Figures::tracker_seconds, &Figures::remodel_seconds, &Figures::improve_seconds,
-        &Figures::move_seconds, &Figures::total_seconds, &Figures::peak_megabytes}) {
-    std::vector<double> values;
-    for (const Row& part : parts) values.push_back(part.figures.*figure);
-    row.figures.*figure = median(values);
-  }
+  if (parts.size() > 1 && middle > 0) row.set("seconds_spread", (*most - *least) / middle);
+  for (const char* figure : {"tracker_seconds", "remodel_seconds", "improve_seconds",
+                             "move_seconds", "total_seconds", "peak_megabytes"})
+    row.set(figure, median(all_of(parts, figure)));
   return row;
 }
 
 /// What is known of a run whose process did not finish.
 Row lost(const Ended& ended) {
-  Row row;
-  row.outcome = ended.out_of_time ? kTimedOutRun : kCrashedRun;
-  row.failure = ended.words();
-  row.figures.tracker_seconds = row.figures.total_seconds = ended.cpu_seconds;
-  row.figures.peak_megabytes = ended.peak_megabytes;
-  return row;
+  return {{"outcome", ended.out_of_time ? kTimedOutRun : kCrashedRun},
+          {"failure", ended.words()},
+          {"tracker_seconds", ended.cpu_seconds},
+          {"total_seconds", ended.cpu_seconds},
+          {"peak_megabytes", ended.peak_megabytes}};
 }
 
-class Study {
+class Study : public PoolClient {
  public:
   Study(const TradeOptions& options, TradeWatcher* watcher)
       : options_(options), watcher_(watcher), table_(options.folder / "trade.csv") {
@@ -86,17 +89,17 @@ class Study {
 
   TradeSummary all() {
     make_folder();
-    if (fs::exists(table_)) rows_ = read_csv(table_);
+    if (fs::exists(table_)) rows_ = read_trade_table(table_);
     ReferenceOptions how = options_.reference;
     how.limit = options_.processes;
     how.limit.limit_seconds *= 20;  // finer than every run, so dearer than the dearest
     if (watcher_ != nullptr) watcher_->referring();
-    reference_ = make_reference(options_.scene, options_.folder, runs_, how);
+    reference_ = make_reference({options_.scene, options_.folder, runs_}, how);
     study_ = fingerprint(read_file(options_.scene) + scene_bits_ +
                          fingerprint(read_file(reference_.mesh)) +
                          fmt::format("{}", fmt::join(options_.topology, " ")));
     for (const Row& row : rows_)
-      if (row.study != study_ || !same_settings(row))
+      if (row.text("study") != study_ || !same_settings(row))
         throw InvalidInput(
             table_.string() +
             ": it is of another scene or version, or measured against something else; give "
@@ -117,21 +120,23 @@ class Study {
 
   /// Whether the row has the settings that this version knows, whatever their values.
   bool same_settings(const Row& row) const {
-    return std::equal(row.settings.begin(), row.settings.end(), own_.begin(), own_.end(),
+    const SettingTexts theirs = setting_texts(row);
+    return std::equal(theirs.begin(), theirs.end(), own_.begin(), own_.end(),
                       [](const auto& cell, const Setting& s) { return cell.first == s.key; });
   }
 
   /// The row of a planned run, if the table has it with as many repeats.
   Row* find(const PlannedRun& run) {
-    const Settings want = changed(own_, run.changes);
-    const auto same = [&](const Row& row) {
-      return std::equal(row.settings.begin(), row.settings.end(), want.begin(), want.end(),
-                        [](const auto& cell, const Setting& s) {
-                          return cell.first == s.key && cell.second == text_of(s.value);
-                        });
-    };
-    const auto at = std::find_if(rows_.begin(), rows_.end(), same);
-    return at == rows_.end() || at->repeats < options_.repeat ? nullptr : &*at;
+    const SettingTexts want = texts_of(run);
+    const auto at = std::find_if(rows_.begin(), rows_.end(),
+                                 [&](const Row& row) { return setting_texts(row) == want; });
+    return at == rows_.end() || at->number("repeats") < options_.repeat ? nullptr : &*at;
+  }
+
+  SettingTexts texts_of(const PlannedRun& run) const {
+    SettingTexts texts;
+    for (const Setting& s : changed(own_, run.changes)) texts.emplace_back(s.key, text_of(s.value));
+    return texts;
   }
 
   /// Indices of the runs to make, in a shuffled order.
@@ -147,40 +152,48 @@ class Study {
   void make_runs() {
     const std::vector<std::size_t> order = missing();
     if (watcher_ != nullptr) watcher_->planned(runs_.size(), runs_.size() - order.size());
-    const auto repeat = static_cast<std::size_t>(options_.repeat);
-    std::vector<std::size_t> tasks;
-    for (const std::size_t run : order) tasks.insert(tasks.end(), repeat, run);
-    std::map<std::size_t, std::vector<Row>> parts;
-    in_processes(
-        tasks, options_.processes,
-        [&](std::size_t run) {
-          return packed(run_once({.scene = options_.scene,
-                                  .changes = runs_[run].changes,
-                                  .reference = reference_.mesh,
-                                  .topology = options_.topology,
-                                  .surface = {},
-                                  .samples = options_.samples}));
-        },
-        [&](std::size_t run, const Ended& ended) {
-          parts[run].push_back(ended.finished ? unpacked(ended.said) : lost(ended));
-          if (parts[run].size() < repeat) return;
-          const Row& row = store(runs_[run], combined(parts[run]));
-          ++made_;
-          if (watcher_ != nullptr) watcher_->ended(made_, order.size(), row);
-        });
+    to_make_ = order.size();
+    for (const std::size_t run : order)
+      tasks_.insert(tasks_.end(), static_cast<std::size_t>(options_.repeat), run);
+    run_pool(*this, options_.processes);
+  }
+
+  std::optional<ProcessTask> next() override {
+    if (tasks_.empty()) return std::nullopt;
+    const std::size_t run = tasks_.front();
+    tasks_.pop_front();
+    return ProcessTask{run, [this, run](const Say& say) {
+                         say(packed({run_once({.scene = options_.scene,
+                                               .changes = runs_[run].changes,
+                                               .reference = reference_.mesh,
+                                               .topology = options_.topology,
+                                               .surface = {},
+                                               .samples = options_.samples})}));
+                       }};
+  }
+
+  void ended(std::size_t run, const Ended& how) override {
+    std::vector<Row>& parts = parts_[run];
+    parts.push_back(how.finished ? unpacked(how.said).at(0) : lost(how));
+    if (parts.size() < static_cast<std::size_t>(options_.repeat)) return;
+    const Row& row = store(runs_[run], combined(parts));
+    ++made_;
+    if (watcher_ != nullptr) watcher_->ended(made_, to_make_, row);
   }
 
   /// Completes a row, puts it into the table, and the table onto the disk.
-  const Row& store(const PlannedRun& run, Row row) {
-    row.study = study_;
-    row.design = run.design;
-    row.change = words_of(own_, run.changes);
-    row.repeats = options_.repeat;
-    for (const Setting& s : changed(own_, run.changes))
-      row.settings.emplace_back(s.key, text_of(s.value));
-    std::erase_if(rows_, [&](const Row& old) { return old.settings == row.settings; });
-    row.run = 1;
-    for (const Row& old : rows_) row.run = std::max(row.run, old.run + 1);
+  const Row& store(const PlannedRun& run, const Row& known) {
+    const SettingTexts settings = texts_of(run);
+    std::erase_if(rows_, [&](const Row& old) { return setting_texts(old) == settings; });
+    int number = 1;
+    for (const Row& old : rows_) number = std::max(number, run_number(old) + 1);
+    Row row = trade_row(settings);
+    for (const auto& [column, cell] : known.cells()) row.set(column, cell);
+    row.set("run", std::to_string(number));
+    row.set("design", run.design);
+    row.set("change", words_of(own_, run.changes));
+    row.set("repeats", std::to_string(options_.repeat));
+    row.set("study", study_);
     rows_.push_back(std::move(row));
     write_file(table_, to_csv(rows_));
     return rows_.back();
@@ -198,11 +211,11 @@ class Study {
     for (const PlannedRun& run : runs_)
       if (const Row* row = find(run); row != nullptr) {
         rows.push_back(*row);
-        rows.back().design = run.design;
+        rows.back().set("design", run.design);
       }
     for (const Row& row : rows) {
-      summary.failed += row.failed() ? 1 : 0;
-      summary.wrong += !row.failed() && !row.sound() ? 1 : 0;
+      summary.failed += failed(row) ? 1 : 0;
+      summary.wrong += !failed(row) && !sound(row) ? 1 : 0;
     }
     summary.title = title_;
     summary.runs = rows.size();
@@ -222,7 +235,9 @@ class Study {
   std::vector<PlannedRun> runs_;
   Reference reference_;
   std::vector<Row> rows_;
-  std::size_t made_ = 0;
+  std::deque<std::size_t> tasks_;  ///< runs still to be started, as often as repeated
+  std::map<std::size_t, std::vector<Row>> parts_;  ///< of a run, what its processes made
+  std::size_t to_make_ = 0, made_ = 0;
 };
 
 }  // namespace

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "sims/study/reference.h"
-#include "sims/study/row.h"
+#include "sims/study/table/row.h"
 
 namespace suture::sims {
 

@@ -34,6 +34,20 @@ std::string kind_of(const Value& value) {
 
 }  // namespace
 
+std::string text_of(const Value& value) {
+  if (const auto* list = std::get_if<std::vector<double>>(&value))
+    return fmt::format("{}", fmt::join(*list, " "));
+  return std::visit(
+      [](const auto& v) -> std::string {
+        using T = std::decay_t<decltype(v)>;
+        if constexpr (std::is_same_v<T, std::vector<double>>)
+          return {};
+        else
+          return fmt::format("{}", v);
+      },
+      value);
+}
+
 std::string Range::words() const {
   if (std::isfinite(low) && std::isfinite(high)) return fmt::format("from {} to {}", low, high);
   if (std::isfinite(low)) return fmt::format("{} {}", open ? "above" : "at least", low);

@@ -17,6 +17,10 @@ namespace suture::sims {
 /// What a key may hold; numbers in lists are doubles.
 using Value = std::variant<bool, std::int64_t, double, std::string, std::vector<double>>;
 
+/// A value as a scene file has it, but words without quotes and lists without commas; numbers round
+/// trip.
+std::string text_of(const Value& value);
+
 /// The numbers that a key allows, in its own unit.
 struct Range {
   double low = -std::numeric_limits<double>::infinity();

@@ -6,23 +6,10 @@
 
 #include "kernel/errors.h"
 #include "kernel/measure/signed_distance.h"
-#include "sims/support/processes.h"
+#include "sims/support/clock.h"
 
 namespace suture::sims {
 namespace {
-
-/// Adds the CPU seconds of its life to a sum.
-class Timer {
- public:
-  explicit Timer(double& sum) : sum_(sum), start_(process_seconds()) {}
-  ~Timer() { sum_ += process_seconds() - start_; }
-  Timer(const Timer&) = delete;
-  Timer& operator=(const Timer&) = delete;
-
- private:
-  double& sum_;
-  double start_;
-};
 
 /// Counts its calls and their time. Where nothing is left, moves let the time pass and no more.
 class MeshTracker : public SurfaceTracker {
@@ -34,18 +21,16 @@ class MeshTracker : public SurfaceTracker {
 
   void advect(const VelocityField& u, double dt) override {
     if (!vanished()) {
-      const Timer timer(move_);
       distance_.reset();
-      tracker_.advect(u, dt);
+      costs_.timed("move", [&] { tracker_.advect(u, dt); });
     }
     time_ += dt;
   }
 
   void displace(std::vector<Point> positions, double dt) override {
     if (!vanished()) {
-      const Timer timer(move_);
       distance_.reset();
-      tracker_.displace(std::move(positions), dt);
+      costs_.timed("move", [&] { tracker_.displace(std::move(positions), dt); });
     } else if (!positions.empty()) {
       throw InvalidInput("displace was given positions for a surface of which nothing is left");
     }
@@ -54,24 +39,23 @@ class MeshTracker : public SurfaceTracker {
 
   SurgeryReport remodel() override {
     require_surface("remodelled");
-    const Timer timer(remodel_);
     distance_.reset();
-    SurgeryReport report = tracker_.remodel();
-    ++remodels_;
-    committed_ += report.outcome == Outcome::committed;
-    refused_ += report.outcome == Outcome::refused;
-    if (report.outcome == Outcome::committed) cells_ += static_cast<double>(report.marked.total());
+    SurgeryReport report = costs_.timed("remodel", [&] { return tracker_.remodel(); });
+    costs_.count("remodels");
+    if (report.outcome == Outcome::refused) costs_.count("surgeries_refused");
+    if (report.outcome != Outcome::committed) return report;
+    costs_.count("surgeries_committed");
+    costs_.count("cells_resampled", static_cast<double>(report.marked.total()));
     return report;
   }
 
   QualityReport improve() override {
     require_surface("improved");
-    const Timer timer(improve_);
     distance_.reset();
-    QualityReport report = tracker_.improve();
-    subdivisions_ += static_cast<double>(report.subdivisions);
-    collapses_ += static_cast<double>(report.collapses.done);
-    flips_ += static_cast<double>(report.flips);
+    QualityReport report = costs_.timed("improve", [&] { return tracker_.improve(); });
+    costs_.count("subdivisions", static_cast<double>(report.subdivisions));
+    costs_.count("collapses", static_cast<double>(report.collapses.done));
+    costs_.count("flips", static_cast<double>(report.flips));
     return report;
   }
 
@@ -86,16 +70,7 @@ class MeshTracker : public SurfaceTracker {
 
   double time() const override { return time_; }
 
-  TrackerCost cost() const override {
-    return {{{"move", move_}, {"remodel", remodel_}, {"improve", improve_}},
-            {{"remodels", remodels_},
-             {"surgeries_committed", committed_},
-             {"surgeries_refused", refused_},
-             {"cells_resampled", cells_},
-             {"subdivisions", subdivisions_},
-             {"collapses", collapses_},
-             {"flips", flips_}}};
-  }
+  TrackerCost cost() const override { return costs_; }
 
  private:
   bool vanished() const { return tracker_.surface().triangles.empty(); }
@@ -109,9 +84,14 @@ class MeshTracker : public SurfaceTracker {
   Tracker tracker_;
   std::optional<SignedDistance> distance_;  ///< of the surface as it is, once it was asked for
   double time_ = 0;                         ///< goes on where nothing is left
-  double move_ = 0, remodel_ = 0, improve_ = 0;
-  double remodels_ = 0, committed_ = 0, refused_ = 0, cells_ = 0;
-  double subdivisions_ = 0, collapses_ = 0, flips_ = 0;
+  Costs costs_{{{"move", 0}, {"remodel", 0}, {"improve", 0}},
+               {{"remodels", 0},
+                {"surgeries_committed", 0},
+                {"surgeries_refused", 0},
+                {"cells_resampled", 0},
+                {"subdivisions", 0},
+                {"collapses", 0},
+                {"flips", 0}}};
 };
 
 }  // namespace

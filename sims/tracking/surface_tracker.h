@@ -1,19 +1,15 @@
 // The interface of everything that keeps a moving surface: a mesh, or a baseline to compare with.
 #pragma once
 
-#include <string>
-#include <utility>
 #include <vector>
 
+#include "sims/support/clock.h"
 #include "surgery/tracker.h"
 
 namespace suture::sims {
 
-/// What a tracker has spent so far: CPU seconds of this process by part of the work, and counts.
-struct TrackerCost {
-  std::vector<std::pair<std::string, double>> seconds;  ///< part of the work, in a fixed order
-  std::vector<std::pair<std::string, double>> counts;   ///< cells re-sampled, particles, …
-};
+/// What a tracker has spent so far, and counts such as cells re-sampled or particles.
+using TrackerCost = Costs;
 
 /// Owns a surface in whatever form it keeps it. Lengths and times are in the scene's unit. Every
 /// tracker serves advect; calls that it cannot serve throw InvalidInput and change nothing.

@@ -9,7 +9,7 @@
 #include "kernel/measure/signed_distance.h"
 #include "sims/baselines/grid/level_set_grid.h"
 #include "sims/baselines/grid/paths.h"
-#include "sims/support/processes.h"
+#include "sims/support/clock.h"
 
 namespace suture::sims {
 namespace {
@@ -99,7 +99,7 @@ class Contouring : public SurfaceTracker {
   double time() const override { return time_; }
 
   TrackerCost cost() const override {
-    return {{{"distances", distances_}, {"contour", contouring_}},
+    return {costs_.seconds,
             {{"nodes", nodes_}, {"refinements", refined_}, {"bands_widened", widened_}}};
   }
 
@@ -108,20 +108,19 @@ class Contouring : public SurfaceTracker {
   static constexpr double kWidest = 64;  ///< cells
 
   void step(const VelocityField& u, double dt) {
-    const double start = process_seconds();
+    Lap lap;
     if (!distance_) distance_.emplace(surface_);
     const Upstream upstream(*distance_, u, time_, dt, options_);
     Triangles carried = surface_;
     for (Point& p : carried.positions) p = upstream.downstream(p);
     const openvdb::DoubleGrid::Ptr grid = band_round(carried, upstream);
     nodes_ += static_cast<double>(grid->activeVoxelCount());
-    const double halfway = process_seconds();
-    distances_ += halfway - start;
+    costs_.add_seconds("distances", lap.next());
     surface_ = contour(*grid, [&](const CubeCorner& from, const CubeCorner& to) {
       return vertex(upstream, from, to);
     });
     distance_.reset();
-    contouring_ += process_seconds() - halfway;
+    costs_.add_seconds("contour", lap.next());
   }
 
   /// The vertices say where the new surface is but for what happens between them: if that is more
@@ -155,7 +154,7 @@ class Contouring : public SurfaceTracker {
   Triangles surface_;
   std::optional<SignedDistance> distance_;  ///< of the surface as it is, once it was asked for
   double time_ = 0;
-  double distances_ = 0, contouring_ = 0;
+  Costs costs_{{{"distances", 0}, {"contour", 0}}, {}};
   double nodes_ = 0, refined_ = 0, widened_ = 0;
 };
 

@@ -11,7 +11,7 @@
 #include "sims/baselines/grid/level_set_grid.h"
 #include "sims/baselines/level_set/mac_cormack.h"
 #include "sims/baselines/level_set/upwind_advection.h"
-#include "sims/support/processes.h"
+#include "sims/support/clock.h"
 
 namespace suture::sims {
 namespace {
@@ -32,38 +32,30 @@ class LevelSet : public SurfaceTracker {
     require_order(o.renormalise.steps, 1, 1000, "renormalisation's steps");
     if (o.renormalise.every < 0)
       throw InvalidInput("a level set is re-normalised every 0 (never) or more steps");
-    const double start = process_seconds();
-    grid_ = make_level_set(surface, band_);
-    begin_ = process_seconds() - start;
+    costs_.timed("begin", [&] { grid_ = make_level_set(surface, band_); });
   }
 
   void advect(const VelocityField& u, double dt) override {
-    const double start = process_seconds();
     contour_.reset();
-    const GridVelocity velocity{u, band_.origin, band_.cell_size};
-    if (options_.advection == Advection::upwind)
-      upwind(velocity, dt);
-    else
-      mac_cormack_step(velocity, dt);
-    time_ += dt;
-    require_within_reach(*grid_);
-    move_ += process_seconds() - start;
+    costs_.timed("move", [&] {
+      const GridVelocity velocity{u, band_.origin, band_.cell_size};
+      if (options_.advection == Advection::upwind)
+        upwind(velocity, dt);
+      else
+        mac_cormack_step(velocity, dt);
+      time_ += dt;
+      require_within_reach(*grid_);
+    });
   }
 
   void end_of_frame() override {
     if (options_.renormalise.every == 0 || since_ == 0) return;
     contour_.reset();
-    const double start = process_seconds();
-    relax();
-    move_ += process_seconds() - start;
+    costs_.timed("move", [&] { relax(); });
   }
 
   const Triangles& surface() override {
-    if (!contour_) {
-      const double start = process_seconds();
-      contour_ = contour(*grid_, band_);
-      contouring_ += process_seconds() - start;
-    }
+    if (!contour_) costs_.timed("contour", [&] { contour_ = contour(*grid_, band_); });
     return *contour_;
   }
 
@@ -75,7 +67,7 @@ class LevelSet : public SurfaceTracker {
   double time() const override { return time_; }
 
   TrackerCost cost() const override {
-    return {{{"begin", begin_}, {"move", move_}, {"contour", contouring_}},
+    return {costs_.seconds,
             {{"substeps", substeps_},
              {"renormalisations", renormalisations_},
              {"active_nodes", static_cast<double>(grid_->activeVoxelCount())}}};
@@ -129,7 +121,7 @@ class LevelSet : public SurfaceTracker {
   std::optional<Triangles> contour_;
   double time_ = 0;
   int since_ = 0;  ///< sub-steps since φ was a distance
-  double begin_ = 0, move_ = 0, contouring_ = 0;
+  Costs costs_{{{"begin", 0}, {"move", 0}, {"contour", 0}}, {}};
   double substeps_ = 0, renormalisations_ = 0;
 };
 

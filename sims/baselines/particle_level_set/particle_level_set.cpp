@@ -10,7 +10,7 @@
 #include "sims/baselines/particle_level_set/marker_correction.h"
 #include "sims/baselines/particle_level_set/semi_lagrangian.h"
 #include "sims/baselines/particle_level_set/weno_level_set.h"
-#include "sims/support/processes.h"
+#include "sims/support/clock.h"
 
 namespace suture::sims {
 namespace {
@@ -60,9 +60,9 @@ class ParticleLevelSet : public SurfaceTracker {
   void advect(const VelocityField& u, double dt) override {
     const GridVelocity velocity{u, frame_.origin, frame_.cell_size};
     std::vector<Marker> markers = markers_;
-    timed(particles_seconds_,
-          [&] { carry(markers, velocity, time_, dt, options_.particle_order); });
-    timed(level_set_seconds_, [&] {
+    costs_.timed("particles",
+                 [&] { carry(markers, velocity, time_, dt, options_.particle_order); });
+    costs_.timed("level_set", [&] {
       set_ = weno() ? weno_advected(set_, velocity, {time_, dt, around(markers)})
                     : semi_lagrangian(set_, velocity,
                                       {time_, dt, options_.trace_order, around(markers)});
@@ -75,9 +75,9 @@ class ParticleLevelSet : public SurfaceTracker {
     distances_ = false;
     if (options_.reinitialise_every > 0 && steps_ % options_.reinitialise_every == 0)
       reinitialise();
-    timed(particles_seconds_, [&] { adjust_radii(markers_, set_, rules_); });
+    costs_.timed("particles", [&] { adjust_radii(markers_, set_, rules_); });
     if (options_.reseed_every > 0 && steps_ % options_.reseed_every == 0 && rules_.per_cell > 0)
-      timed(reseed_seconds_, [&] { reseed(markers_, set_, rules_, random_); });
+      costs_.timed("reseed", [&] { reseed(markers_, set_, rules_, random_); });
   }
 
   /// Re-initialises; re-seeding does not change the surface and stays in its rhythm.
@@ -85,11 +85,11 @@ class ParticleLevelSet : public SurfaceTracker {
     if (distances_ || options_.reinitialise_every == 0) return;
     surface_.reset();
     reinitialise();
-    timed(particles_seconds_, [&] { adjust_radii(markers_, set_, rules_); });
+    costs_.timed("particles", [&] { adjust_radii(markers_, set_, rules_); });
   }
 
   const Triangles& surface() override {
-    if (!surface_) timed(contour_seconds_, [&] { surface_ = zero_surface(set_, frame_); });
+    if (!surface_) costs_.timed("contour", [&] { surface_ = zero_surface(set_, frame_); });
     return *surface_;
   }
 
@@ -100,25 +100,13 @@ class ParticleLevelSet : public SurfaceTracker {
   double time() const override { return time_; }
 
   TrackerCost cost() const override {
-    return {{{"level_set", level_set_seconds_},
-             {"particles", particles_seconds_},
-             {"correct", correct_seconds_},
-             {"reinitialise", reinitialise_seconds_},
-             {"reseed", reseed_seconds_},
-             {"contour", contour_seconds_}},
+    return {costs_.seconds,
             {{"particles", static_cast<double>(markers_.size())},
              {"escaped", escaped_},
              {"nodes", static_cast<double>(set_.phi.size())}}};
   }
 
  private:
-  template <class Work>
-  void timed(double& seconds, const Work& work) {
-    const double start = process_seconds();
-    work();
-    seconds += process_seconds() - start;
-  }
-
   bool weno() const { return options_.version == ParticleLevelSetVersion::weno; }
 
   static Box around(const std::vector<Marker>& markers) {
@@ -132,11 +120,11 @@ class ParticleLevelSet : public SurfaceTracker {
   }
 
   void correct_by_markers() {
-    timed(correct_seconds_,
-          [&] { escaped_ = static_cast<double>(correct(set_, markers_, rules_)); });
+    costs_.timed("correct",
+                 [&] { escaped_ = static_cast<double>(correct(set_, markers_, rules_)); });
   }
   void reinitialise() {
-    timed(reinitialise_seconds_, [&] {
+    costs_.timed("reinitialise", [&] {
       if (weno())
         set_ = weno_relaxed(set_, options_.relaxation_steps, around(markers_));
       else
@@ -157,8 +145,13 @@ class ParticleLevelSet : public SurfaceTracker {
   std::int64_t steps_ = 0;
   bool distances_ = true;  ///< φ was re-initialised since the last step
   double escaped_ = 0;     ///< markers, at the last correction
-  double level_set_seconds_ = 0, particles_seconds_ = 0, correct_seconds_ = 0;
-  double reinitialise_seconds_ = 0, reseed_seconds_ = 0, contour_seconds_ = 0;
+  Costs costs_{{{"level_set", 0},
+                {"particles", 0},
+                {"correct", 0},
+                {"reinitialise", 0},
+                {"reseed", 0},
+                {"contour", 0}},
+               {}};
 };
 
 }  // namespace

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "sims/fluid/linear/linear_system.h"
-#include "sims/support/processes.h"
+#include "sims/support/clock.h"
 
 namespace suture::sims {
 
@@ -30,10 +30,10 @@ class ModuleCosts {
   /// Runs act(), and counts it as the module's.
   template <class Act>
   void timed(const std::string& name, Act act) {
-    const double start = process_seconds();
+    const Lap lap;
     act();
     ModuleCost& cost = of(name);
-    cost.seconds += process_seconds() - start;
+    cost.seconds += lap.seconds();
     ++cost.calls;
   }
   void holds(const std::string& name, std::size_t bytes) {

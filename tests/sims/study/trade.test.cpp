@@ -4,8 +4,8 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "sims/study/plot.h"
-#include "sims/study/table.h"
+#include "sims/study/report/plot.h"
+#include "sims/study/table/trade_row.h"
 #include "tests/paths.h"
 #include "tests/sims/cli/program.h"
 #include "tests/sims/study/trade_rows.h"
@@ -29,7 +29,7 @@ Said traded(const Folder& folder, const std::string& more) {
                         more);
 }
 
-std::vector<Row> table(const Folder& folder) { return read_csv(folder / "out/trade.csv"); }
+std::vector<Row> table(const Folder& folder) { return read_trade_table(folder / "out/trade.csv"); }
 
 /// Shares of a picture's pixels that are not white, and that are the front's red.
 struct Ink {
@@ -64,14 +64,14 @@ TEST_CASE("a study leaves a whole table, plots and a recommendation, and is resu
   const std::vector<Row> rows = table(folder);
   REQUIRE(rows.size() == 4);
   for (const Row& row : rows) {
-    CHECK(row.outcome == "done");
-    for (const NamedFigure& f : kFigures) {
-      INFO(f.name);
-      if (std::string(f.name) != "seconds_spread") CHECK_FALSE(std::isnan(row.figures.*f.figure));
+    CHECK(row.text("outcome") == "done");
+    for (const char* figure : kFigures) {
+      INFO(figure);
+      if (std::string(figure) != "seconds_spread") CHECK_FALSE(std::isnan(row.number(figure)));
     }
-    CHECK(row.figures.components == 1);
-    CHECK(row.figures.tracker_seconds <= row.figures.total_seconds);
-    CHECK(row.figures.mean_distance() < 0.05);
+    CHECK(row.number("components") == 1);
+    CHECK(tracker_seconds(row) <= row.number("total_seconds"));
+    CHECK(mean_distance(row) < 0.05);
   }
   for (const char* file :
        {"error_seconds.png", "error_memory.png", "recommendation.md", "trade.gp"})
@@ -98,7 +98,7 @@ TEST_CASE("a table that lacks rows is completed, and one of another scene is ref
   CHECK(table(folder).size() == 3);
   CHECK_THAT(traded(folder, more + " --repeat 2 --jobs 2").text, Contains("3 runs, 3 of them now"));
   CHECK(table(folder).size() == 3);
-  CHECK(table(folder)[0].figures.spread >= 0);
+  CHECK(table(folder)[0].number("seconds_spread") >= 0);
   folder.write("scene.toml", kMeeting + std::string("[quality]\nedge_length = 0.11\n"));
   const Said other = traded(folder, more);
   CHECK(other.exit == 2);
@@ -114,11 +114,11 @@ TEST_CASE("a run that cannot go on is a row that says so, and the others are mad
   CHECK(said.exit == 0);
   std::size_t failed = 0;
   for (const Row& row : table(folder)) {
-    if (!row.failed()) continue;
+    if (!failed(row)) continue;
     ++failed;
-    CHECK(row.change == "cell_size=1e-09");
-    CHECK(row.outcome == "stopped");
-    CHECK(row.failure.size() > 20);
+    CHECK(row.text("change") == "cell_size=1e-09");
+    CHECK(row.text("outcome") == "stopped");
+    CHECK(row.text("failure").size() > 20);
   }
   CHECK(failed == 1);
   CHECK(table(folder).size() == 3);
@@ -140,11 +140,11 @@ TEST_CASE("exact arithmetics give the same bits, and the reference's own setting
   for (const Row& a : rows)
     for (const Row& b : rows) {
       const auto passes = [](const Row& row) {
-        return row.change.find("passes") == std::string::npos;
+        return row.text("change").find("passes") == std::string::npos;
       };
-      CHECK((a.surface == b.surface) == (passes(a) == passes(b)));
-      if (passes(a)) CHECK(a.figures.mean_distance() < 1e-12);
-      if (!passes(a)) CHECK(a.figures.mean_distance() > 1e-6);
+      CHECK((a.text("surface") == b.text("surface")) == (passes(a) == passes(b)));
+      if (passes(a)) CHECK(mean_distance(a) < 1e-12);
+      if (!passes(a)) CHECK(mean_distance(a) > 1e-6);
     }
 }
 
@@ -173,7 +173,7 @@ TEST_CASE("where there is no gnuplot the table is kept and the user told what to
                               " --reference start --factors passes=1 2>" + folder.name("error");
   CHECK(WEXITSTATUS(std::system(command.c_str())) == 2);
   CHECK_THAT(contents(folder / "error"), Contains("apt-get install gnuplot-nox"));
-  CHECK(read_csv(folder / "bare/trade.csv").size() == 2);
+  CHECK(read_trade_table(folder / "bare/trade.csv").size() == 2);
 }
 
 TEST_CASE("the plots of planted rows show the front and are not blank") {

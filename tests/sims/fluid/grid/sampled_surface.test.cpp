@@ -6,7 +6,7 @@
 
 #include "kernel/errors.h"
 #include "kernel/shapes/transform.h"
-#include "sims/support/processes.h"
+#include "sims/support/clock.h"
 #include "tests/sims/fluid/drops.h"
 #include "tests/sims/fluid/liquids.h"
 
@@ -41,11 +41,11 @@ TEST_CASE(
                                               {Point::Zero(), 1});  // asked far from the surface
   REQUIRE(cells.droplets.size() == 1000);
   const int band = 40;
-  const double start = process_seconds();
+  const Lap lap;
   forget_peak();
   const double held = peak_megabytes();
   const SparseGrid grid = grid_round(cells, band);
-  const double seconds = process_seconds() - start, megabytes = peak_megabytes() - held;
+  const double seconds = lap.seconds(), megabytes = peak_megabytes() - held;
   CAPTURE(seconds, megabytes);
   CHECK(seconds < 2);  // measured: 0.4, and 3 MB
   CHECK(megabytes < 50);
