@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "sims/support/processes.h"
+#include "sims/support/process_pool.h"
 
 namespace suture::sims {
 

@@ -14,7 +14,7 @@
 
 #include "kernel/errors.h"
 #include "kernel/trace.h"
-#include "sims/fuzz/child.h"
+#include "sims/support/process.h"
 
 namespace suture::sims {
 

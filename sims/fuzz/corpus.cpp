@@ -8,7 +8,7 @@
 
 #include "kernel/files.h"
 #include "sims/fuzz/case_file.h"
-#include "sims/fuzz/child.h"
+#include "sims/support/process.h"
 #include "sims/fuzz/execute.h"
 
 namespace suture::sims {

@@ -3,7 +3,7 @@
 
 #include "sims/driver/run.h"
 #include "sims/study/compare.h"
-#include "sims/support/processes.h"
+#include "sims/support/process_pool.h"
 
 namespace suture::sims {
 

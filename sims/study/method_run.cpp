@@ -9,7 +9,7 @@
 #include "kernel/measure/measures.h"
 #include "sims/driver/method_stepper.h"
 #include "sims/study/row.h"
-#include "sims/support/processes.h"
+#include "sims/support/process_pool.h"
 
 namespace suture::sims {
 namespace {

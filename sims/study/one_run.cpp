@@ -14,7 +14,7 @@
 #include "sims/driver/stepper.h"
 #include "sims/study/surface_measures.h"
 #include "sims/study/table.h"
-#include "sims/support/processes.h"
+#include "sims/support/process_pool.h"
 
 namespace suture::sims {
 namespace {

@@ -11,7 +11,7 @@
 #include "kernel/errors.h"
 #include "kernel/files.h"
 #include "sims/study/front.h"
-#include "sims/support/processes.h"
+#include "sims/support/process_pool.h"
 
 namespace suture::sims {
 namespace {

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "sims/study/plan.h"
-#include "sims/support/processes.h"
+#include "sims/support/process_pool.h"
 
 namespace suture::sims {
 

@@ -6,7 +6,7 @@
 
 #include "kernel/errors.h"
 #include "kernel/measure/signed_distance.h"
-#include "sims/support/processes.h"
+#include "sims/support/process_pool.h"
 
 namespace suture::sims {
 namespace {

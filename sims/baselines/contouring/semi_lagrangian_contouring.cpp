@@ -9,7 +9,7 @@
 #include "kernel/measure/signed_distance.h"
 #include "sims/baselines/grid/level_set_grid.h"
 #include "sims/baselines/grid/paths.h"
-#include "sims/support/processes.h"
+#include "sims/support/process_pool.h"
 
 namespace suture::sims {
 namespace {

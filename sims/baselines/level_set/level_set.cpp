@@ -11,7 +11,7 @@
 #include "sims/baselines/grid/level_set_grid.h"
 #include "sims/baselines/level_set/mac_cormack.h"
 #include "sims/baselines/level_set/upwind_advection.h"
-#include "sims/support/processes.h"
+#include "sims/support/process_pool.h"
 
 namespace suture::sims {
 namespace {

@@ -10,7 +10,7 @@
 #include "sims/baselines/particle_level_set/marker_correction.h"
 #include "sims/baselines/particle_level_set/semi_lagrangian.h"
 #include "sims/baselines/particle_level_set/weno_level_set.h"
-#include "sims/support/processes.h"
+#include "sims/support/process_pool.h"
 
 namespace suture::sims {
 namespace {

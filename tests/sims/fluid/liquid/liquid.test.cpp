@@ -7,7 +7,7 @@
 
 #include "kernel/errors.h"
 #include "kernel/shapes/transform.h"
-#include "sims/support/processes.h"
+#include "sims/support/process_pool.h"
 #include "tests/sims/fluid/drops.h"
 #include "tests/sims/fluid/liquids.h"
 

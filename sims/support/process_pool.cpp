@@ -1,5 +1,5 @@
 // Work done in processes of its own: what crashes, hangs or eats memory there, ends only there.
-#include "sims/support/processes.h"
+#include "sims/support/process_pool.h"
 
 #include <fmt/format.h>
 #include <poll.h>

@@ -1,5 +1,5 @@
 // Work in processes of its own.
-#include "sims/support/processes.h"
+#include "sims/support/process_pool.h"
 
 #include <unistd.h>
 

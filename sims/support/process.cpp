@@ -1,5 +1,5 @@
 // fork, pipe, poll: no thread may run in the parent, so that the child is whole.
-#include "sims/fuzz/child.h"
+#include "sims/support/process.h"
 
 #include <fcntl.h>
 #include <fmt/format.h>
