@@ -24,7 +24,8 @@ struct RepairReport {
 };
 
 /// Mends in place, in this order. Degenerate triangles go. Of triangles on the same three vertices
-/// one stays if an odd number of other triangles ends at their edges, else none. Points are welded
+/// one stays if an odd number of other triangles ends at their edges, else none: so a body whose
+/// triangles are all given twice goes as a whole, a known fault. Points are welded
 /// along pairs of border edges that coincide exactly, never elsewhere: closed surfaces that touch
 /// stay apart, and no third triangle is put on an edge. Then `orient_consistently`, a vertex for
 /// each fan, `inside_out_components` turned, isolated vertices dropped. What is left (open, three

@@ -78,7 +78,8 @@ def cell(row, column):
 def page(groups):
     out = ["# Tables", "", "Made by `papers/wojtan2009/run`; all columns, and the command of each row, are in "
            "the CSV files.", "Distances are in cells of the row. `volume_error` is against the exact volume, "
-           "`volume_drift` against", "the start mesh. Seconds are CPU seconds.", ""]
+           "`volume_drift` against", "the start mesh; creases and corners are exact ones, as far as they are from the "
+           "surface. Seconds are CPU seconds.", ""]
     for group, title in GROUPS.items():
         if not groups[group]:
             continue

@@ -134,7 +134,8 @@ Objection object_marches(const Observation& o) {
 
 /// The side of a node is the same before and after a remodel, unless all its cells were re-sampled
 /// or it is within rounding of the surface. Here both whole surfaces are marched; the remodel's own
-/// audit marches what was taken out and put in.
+/// audit marches what was taken out and put in. Both miss sides that change where all cells were
+/// re-sampled, as they may with one event [papers/proof.md, 9.3].
 Objection object_invariance(const Observation& o) {
   if (!committed(o) || jitters(o)) return {};
   const Lattice lattice = lattice_of(o.before.positions, o.options);

@@ -18,8 +18,10 @@ enum class CellTest { deep, plain };
 /// What becomes of type 2 vertices, and when [§6.1 step 3, §6.2].
 enum class Collapse {
   straighten,  ///< they collapse after the fill: nothing can gridlock
-  keep,        ///< none goes: outside the region the old mesh stays to the last bit
-  paper        ///< they collapse before the fill; on gridlock the region grows and all starts again
+  /// None goes. Outside the region old vertices stay to the last bit, and so do triangles but for
+  /// those beside split triangles: pieces with rounded vertices take their place.
+  keep,
+  paper  ///< they collapse before the fill; on gridlock the region grows and all starts again
 };
 
 /// Where the fill's own vertices go along their lattice edge [§6.1 step 5].
@@ -52,7 +54,9 @@ struct QualityOptions {
   double shortest = 0.4;       ///< edges below shortest × edge_length are collapsed
   double smallest_angle = 15;  ///< degrees; a triangle with a smaller angle is bad
   double largest_angle = 150;  ///< degrees; a triangle with a larger angle is bad
-  double feature_angle = 40;   ///< degrees between normals; a sharper edge is a feature and is kept
+  /// Degrees between normals; a sharper edge is a feature and is kept, unless it is shorter than
+  /// half of shortest × edge_length.
+  double feature_angle = 40;
   bool keep_features = true;   ///< off: features may be rounded by collapses and flips
   double volume_bound = 0.03;  ///< × edge_length³: the most volume that one operation may move
   double turn_bound = 60;      ///< degrees: the most a triangle's normal may turn in one operation

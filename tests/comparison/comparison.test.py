@@ -97,8 +97,8 @@ class Comparison(unittest.TestCase):
         rows = [{**MESH, "cell_size": "4", "corner_max": "8", "run": f"zalesak.{m}.24", "time": "628"}
                 for m in ("mesh", "markers")]
         found = next(verdict.zalesak(self.verdicts(zalesak=rows), "24"))
-        self.assertIn("corners off by 2 cells", found["ours"])
-        self.assertIn("vertices by 5.1e-07", found["ours"])
+        self.assertIn("exact corners 2 cells from the surface", found["ours"])
+        self.assertIn("at most 5.1e-07 cells off", found["ours"])
 
     def test_a_rival_s_corners_are_rounded_only_if_that_could_be_seen(self):
         for corner, distance, holds in (("0.6", "0.1", "holds"), ("1e-5", "0.1", "DOES NOT HOLD"),
@@ -106,10 +106,22 @@ class Comparison(unittest.TestCase):
             rows = [{**MESH, "corner_max": "0.7", "mean_distance": "0.2", "time": "628",
                      "run": "zalesak.level_set.100"},
                     {**MESH, "corner_max": corner, "mean_distance": distance, "time": "628",
-                     "run": "zalesak.particle_level_set.100"}]
+                     "volume_error": "-5e-4", "run": "zalesak.particle_level_set.100"}]
             found = {v["figure"]: v["verdict"] for v in verdict.zalesak(self.verdicts(zalesak=rows), "100")}
             self.assertEqual(found["Figure 11, Zalesak's sphere, particle_level_set"], holds, corner)
             self.assertEqual(found["Figure 11, Zalesak's sphere, level_set"], "holds")
+
+    def test_particles_keep_more_only_if_both_volume_and_distance_say_so(self):
+        for volume, distance, holds in (("-0.016", "0.11", "holds"), ("-0.057", "0.21", "DOES NOT HOLD"),
+                                        ("0.057", "0.21", "DOES NOT HOLD"), ("-0.016", "0.27", "DOES NOT HOLD")):
+            rows = [{**MESH, "corner_max": "1.6", "volume_error": "-0.046", "mean_distance": "0.265",
+                     "time": "628", "run": "zalesak.level_set.100"},
+                    {**MESH, "corner_max": "0.7", "volume_error": volume, "mean_distance": distance,
+                     "time": "628", "run": "zalesak.particle_level_set.100"}]
+            found = {v["figure"]: v for v in verdict.zalesak(self.verdicts(zalesak=rows), "100")}
+            judged = found["Figure 11, Zalesak's sphere, particle_level_set"]
+            self.assertEqual(judged["verdict"], holds, (volume, distance))
+            self.assertIn("the level set: volume -4.6 %", judged["ours"])
 
     def test_a_run_that_failed_passes_nothing(self):
         crashed = {"outcome": "crashed", "failure": "killed by signal 11", "time": ""}
