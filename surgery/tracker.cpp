@@ -1,17 +1,16 @@
 // The tracker's state, and what each call promises to leave behind [§3].
 #include "surgery/tracker.h"
 
-#include <cmath>
 #include <optional>
 #include <string>
 
 #include "kernel/audit.h"
 #include "kernel/errors.h"
-#include "kernel/formats/mesh_io.h"
 #include "kernel/lists.h"
 #include "predicates/floating_point.h"
 #include "surgery/advect.h"
 #include "surgery/detect/budget.h"
+#include "surgery/model/option_table.h"
 #include "surgery/model/tracker_lattice.h"
 #include "surgery/model/unit.h"
 #include "surgery/quality/improve.h"
@@ -23,32 +22,10 @@ using namespace surgery;
 
 namespace {
 
-void require_in_range(const TrackerOptions& o) {
-  constexpr int kMostDepth = 1000;  // (2·depth + 1)³ cells are looked at for each complex cell
-  if (o.depth < 0 || o.depth > kMostDepth)
-    throw InvalidInput("depth is " + std::to_string(o.depth) + "; it must be 0 to " +
-                       std::to_string(kMostDepth) + " cells");
-  if (!o.origin.allFinite()) throw InvalidInput("the lattice's origin must be finite");
-  require_unit(o);
-  if (!(o.straighten_turn >= 0 && o.straighten_turn <= 180))
-    throw InvalidInput("straighten_turn must be 0 to 180 degrees");
-  if (!(o.jitter >= 0 && o.jitter <= 0.1))
-    throw InvalidInput("jitter is " + std::to_string(o.jitter) + "; it must be 0 to 0.1 of a cell");
-  if (o.most_restarts < 0) throw InvalidInput("most_restarts must be 0 or more");
-  const QualityOptions& q = o.quality;
-  const bool lengths = q.edge_length >= 0 && q.shortest >= 0 && q.longest > q.shortest &&
-                       std::isfinite(q.edge_length) && std::isfinite(q.longest) &&
-                       q.chord_error >= 0 && std::isfinite(q.chord_error) && q.finest > 0 &&
-                       q.finest <= 1;
-  const bool shapes = q.smallest_angle >= 0 && q.smallest_angle <= 60 && q.largest_angle >= 60 &&
-                      q.largest_angle <= 180 && q.feature_angle >= 0 && q.feature_angle <= 180 &&
-                      q.turn_bound >= 0 && q.turn_bound <= 180;
-  if (!lengths || !shapes || !(q.volume_bound >= 0) || q.passes < 0)
-    throw InvalidInput(
-        "a quality option is out of range: lengths are finite with 0 <= shortest < longest, finest "
-        "is above 0 and at most 1, angles 0 to 180 degrees (smallest at most 60, largest at "
-        "least), "
-        "chord_error, volume_bound and passes 0 or more");
+void require_in_range(const TrackerOptions& options) {
+  check(options, tracker_options(), "");
+  check(options.quality, quality_options(), "quality.");
+  require_unit(options);
 }
 
 /// A remodel in the unit that suits the cells, or in the scene's own where a new vertex would have
@@ -75,14 +52,13 @@ struct Improved {
 /// The same for an improvement. \return nothing where `unit` cannot hold the result
 std::optional<Improved> improve_in_unit(const Surface& surface, const TrackerOptions& options,
                                         const Oracle& oracle, int unit) {
-  QualityOptions quality = options.quality;
-  if (quality.edge_length == 0) quality.edge_length = options.cell_size;
-  quality.edge_length = std::ldexp(quality.edge_length, -unit);
-  quality.chord_error = std::ldexp(quality.chord_error, -unit);
+  TrackerOptions scaled = options;
+  if (scaled.quality.edge_length == 0) scaled.quality.edge_length = options.cell_size;
+  scaled = times_power(scaled, -unit);
   Surface work = surface;
   multiply(work, -unit);
-  const Lattice lattice = tracker_lattice(work.triangles.positions, times_power(options, -unit));
-  QualityReport report = improve(work.mesh, quality, &lattice, &oracle);
+  const Lattice lattice = tracker_lattice(work.triangles.positions, scaled);
+  QualityReport report = improve(work.mesh, scaled.quality, &lattice, &oracle);
   multiply(report, unit);
   if (!multiply(work.mesh, unit)) return std::nullopt;
   return Improved{std::move(work.mesh), std::move(report)};
@@ -95,7 +71,6 @@ struct Tracker::State {
   TrackerOptions options;
   std::unique_ptr<Oracle> oracle;
   double time = 0;
-  int remodels = 0;
 };
 
 Tracker::Tracker(Triangles surface, const TrackerOptions& options) {
@@ -142,16 +117,7 @@ SurfaceDistance Tracker::distance() const { return SurfaceDistance(surface(), st
 
 SurgeryReport Tracker::remodel(Trace* trace) {
   require_ieee_arithmetic();  // of this thread, which need not be the one that made the tracker
-  SurgeryReport report = remodel_in_unit(state_->surface, state_->options, *state_->oracle, trace);
-  ++state_->remodels;
-  if (report.outcome == Outcome::refused && !state_->options.reproducers.empty()) {
-    std::filesystem::create_directories(state_->options.reproducers);
-    const auto path = state_->options.reproducers /
-                      ("refused_remodel_" + std::to_string(state_->remodels) + ".ply");
-    write_triangles(path, surface());
-    report.reproducer = path.string();
-  }
-  return report;
+  return remodel_in_unit(state_->surface, state_->options, *state_->oracle, trace);
 }
 
 QualityReport Tracker::improve(Trace* trace) {

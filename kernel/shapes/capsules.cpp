@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "kernel/shapes/isosurface.h"
+#include "kernel/isosurface/isosurface.h"
 #include "kernel/shapes/relax.h"
 
 namespace suture {

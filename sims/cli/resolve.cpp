@@ -13,7 +13,7 @@
 #include "sims/cli/choices.h"
 #include "sims/cli/commands.h"
 #include "sims/cli/inputs.h"
-#include "sims/flows/vertex_values.h"
+#include "sims/tracking/vertex_values.h"
 #include "sims/output/colours.h"
 #include "sims/output/render.h"
 #include "sims/output/report_json.h"

@@ -12,14 +12,14 @@
 #include "kernel/files.h"
 #include "kernel/formats/mesh_io.h"
 #include "kernel/measure/measures.h"
-#include "sims/driver/method_stepper.h"
-#include "sims/driver/stepper.h"
-#include "sims/flows/vertex_values.h"
-#include "sims/fluid/fluid.h"
+#include "sims/driver/scene_steps.h"
+#include "sims/fluid/frame.h"
 #include "sims/output/colours.h"
 #include "sims/output/render.h"
 #include "sims/output/report_json.h"
+#include "sims/support/reproducer.h"
 #include "sims/support/version.h"
+#include "sims/tracking/vertex_values.h"
 
 namespace suture::sims {
 namespace {
@@ -34,7 +34,7 @@ class Run : public StepWatcher {
   Run(Scene& scene, const fs::path& folder)
       : scene_(scene),
         folder_(folder),
-        stepper_(make_steps(scene, with_reproducers(scene.tracker, folder))),
+        steps_(scene),
         freshness_(scene.surface.positions.size(), 0.0),
         resampled_(freshness_) {
     fading_ = scene.output.patch_fading > 0 ? scene.output.patch_fading : scene.time.end / 10;
@@ -57,24 +57,25 @@ class Run : public StepWatcher {
     const std::int64_t steps = scene_.time.steps();
     try {
       record(0);
-      for (std::int64_t i = 1; i <= steps && !stepper_->vanished(); ++i) {
-        current_ = i;
-        stepper_->step(i, *this);
-        summary_.steps = i;
-        const std::size_t parts = record(i);
+      while (steps_.more() && !steps_.vanished()) {
+        frame_ = {};
+        steps_.step(*this);
+        summary_.steps = steps_.index();
+        const std::size_t parts = record(steps_.index());
         if (watcher != nullptr)
-          watcher->stepped({i, steps, stepper_->time(), surface().triangles.size(), parts});
+          watcher->stepped(
+              {steps_.index(), steps, steps_.time(), surface().triangles.size(), parts});
       }
     } catch (const InvalidInput& error) {
       stop(error.what());
       throw InvalidInput(
-          fmt::format("{}: step {}: {}", scene_.file.string(), current_, error.what()));
+          fmt::format("{}: step {}: {}", scene_.file.string(), steps_.index(), error.what()));
     } catch (const std::exception& error) {
       const fs::path mesh = folder_ / "reproducer.ply";
       write_triangles(mesh, surface());
       stop(error.what());
       throw InternalFailure(
-          fmt::format("step {}", current_),
+          fmt::format("step {}", steps_.index()),
           fmt::format("{}; the surface is saved as {}", error.what(), mesh.string()));
     }
     summary_.audit = audit(surface());
@@ -84,11 +85,6 @@ class Run : public StepWatcher {
   }
 
  private:
-  static TrackerOptions with_reproducers(TrackerOptions options, const fs::path& folder) {
-    options.reproducers = folder / "reproducers";
-    return options;
-  }
-
   void make_folder() const {
     std::error_code error;
     fs::create_directories(folder_, error);
@@ -98,14 +94,18 @@ class Run : public StepWatcher {
   }
 
   void moved(double dt) override {
+    if (steps_.fluid() != nullptr) frame_.add(steps_.fluid()->last());
     for (double& f : freshness_) f = fading_ > 0 ? std::max(0.0, f - dt / fading_) : 0.0;
   }
 
   void remodelled(const SurgeryReport& r) override {
-    note("remodels", to_json(r));
     ++summary_.remodels;
+    std::string reproducer;  // a refused surgery leaves the surface that it was given
+    if (r.outcome == Outcome::refused)
+      reproducer = save_reproducer(folder_ / "reproducers", summary_.remodels, surface()).string();
+    note("remodels", to_json(r, reproducer));
     if (r.outcome == Outcome::refused && summary_.refused++ == 0) {
-      summary_.reproducer = r.reproducer;
+      summary_.reproducer = reproducer;
       summary_.failure = r.failure;
     }
     if (r.outcome != Outcome::committed) return;
@@ -123,6 +123,7 @@ class Run : public StepWatcher {
   }
 
   void improved(const QualityReport& r) override {
+    if (!is_mesh() && steps_.fluid() == nullptr) return;  // their costs count improvements
     note("improvements", to_json(r));
     carry(r.vertex_map);
   }
@@ -147,25 +148,25 @@ class Run : public StepWatcher {
 
   /// Adds what a call of the tracker did to the report's list of this name.
   void note(const char* list, json record) {
-    record["step"] = current_;
-    record["time"] = stepper_->time();
+    record["step"] = steps_.index();
+    record["time"] = steps_.time();
     report_[list].push_back(std::move(record));
   }
 
   bool is_mesh() const { return scene_.method.kind == MethodKind::mesh; }
-  const Triangles& surface() const { return stepper_->surface(); }
+  const Triangles& surface() const { return steps_.surface(); }
 
   /// Writes what this step is to leave. \return the number of components
   std::size_t record(std::int64_t index) {
     json now = measured(surface());
     now["step"] = index;
-    now["time"] = stepper_->time();
+    now["time"] = steps_.time();
     now["seconds"] = watch_.lap();
-    if (stepper_->fluid() != nullptr) now["fluid"] = to_json(*stepper_->frame());
+    if (steps_.fluid() != nullptr) now["fluid"] = to_json(frame_);
     if (is_mesh()) now["untouched_area"] = untouched_area();
     const auto parts = now["components"].get<std::size_t>();
     const OutputOptions& output = scene_.output;
-    const bool mesh = output.meshes.wants(index, scene_.time) && !stepper_->vanished();
+    const bool mesh = output.meshes.wants(index, scene_.time) && !steps_.vanished();
     const bool picture = output.pictures.wants(index, scene_.time);
     if (mesh) {
       const std::string name = fmt::format("{:05}.{}", index, output.mesh_format);
@@ -195,8 +196,8 @@ class Run : public StepWatcher {
   void stop(const std::string& failure) {
     const RunSummary& s = summary_;
     report_["summary"] = {
-        {"finished", (s.steps == scene_.time.steps() || stepper_->vanished()) && failure.empty()},
-        {"vanished", stepper_->vanished()},
+        {"finished", (s.steps == scene_.time.steps() || steps_.vanished()) && failure.empty()},
+        {"vanished", steps_.vanished()},
         {"steps", s.steps},
         {"steps_asked", scene_.time.steps()},
         {"remodels", s.remodels},
@@ -205,18 +206,18 @@ class Run : public StepWatcher {
         {"merges", s.merges},
         {"splits", s.splits},
         {"failure", failure}};
-    if (stepper_->fluid() != nullptr) report_["modules"] = to_json(stepper_->fluid()->costs());
-    if (!is_mesh() || stepper_->fluid() != nullptr) report_["cost"] = to_json(stepper_->cost());
+    if (steps_.fluid() != nullptr) report_["modules"] = to_json(steps_.fluid()->costs());
+    if (!is_mesh() || steps_.fluid() != nullptr) report_["cost"] = to_json(steps_.cost());
     write_file(folder_ / "report.json", report_.dump(1) + "\n");
   }
 
   Scene& scene_;
   fs::path folder_;
-  std::unique_ptr<Steps> stepper_;
+  SceneSteps steps_;
+  FluidFrame frame_;               ///< the last, where a fluid moves the surface
   std::vector<double> freshness_;  ///< of each vertex: 1 as surgery made it, fading to 0
   std::vector<double> resampled_;  ///< of each vertex: 1 as surgery made it, and it stays so
   double fading_ = 0;
-  std::int64_t current_ = 0;  ///< the step at work
   Stopwatch watch_;
   json report_;
   RunSummary summary_;

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "kernel/measure/measures.h"
-#include "sims/flows/vertex_values.h"
+#include "sims/tracking/vertex_values.h"
 
 namespace suture::sims {
 namespace {
@@ -15,12 +15,11 @@ class BodiesMotion : public Motion {
   BodiesMotion(std::vector<Point> velocities, double relaxation)
       : velocities_(std::move(velocities)), relaxation_(relaxation) {}
 
-  void advance(Tracker& tracker, double dt) override {
-    const Triangles& surface = tracker.surface();
+  std::vector<Point> positions(const Triangles& surface, double dt) override {
     relax(surface, 1 - std::exp(-dt / relaxation_));
-    std::vector<Point> positions = surface.positions;
-    for (std::size_t v = 0; v < positions.size(); ++v) positions[v] += dt * velocities_[v];
-    tracker.displace(std::move(positions), dt);
+    std::vector<Point> moved = surface.positions;
+    for (std::size_t v = 0; v < moved.size(); ++v) moved[v] += dt * velocities_[v];
+    return moved;
   }
 
   void surface_changed(const Triangles& surface,

@@ -5,6 +5,7 @@
 
 #include "kernel/errors.h"
 #include "kernel/lattice.h"
+#include "surgery/model/option_table.h"
 #include "surgery/model/tracker_lattice.h"
 
 namespace suture::surgery {
@@ -15,6 +16,17 @@ constexpr int kOrdinary = 64;       // cells of 2^±64: fourth powers of 2^-100 
 constexpr int kFarthestUnit = 200;  // between a cell and the edge length aimed at
 
 bool exact(double x, int exponent) { return std::ldexp(std::ldexp(x, exponent), -exponent) == x; }
+
+/// A length of an improvement that is not 0 stays so near the cells that both suit one unit.
+void require_near(const OptionTable<QualityOptions>::Row& row, const TrackerOptions& o) {
+  if (row.about.unit.length == 0) return;
+  const double length = std::get<double>(*row.field.get(o.quality));
+  const double farthest = std::ldexp(1.0, kFarthestUnit);
+  if (length == 0 || (length / o.cell_size <= farthest && o.cell_size / length <= farthest)) return;
+  throw InvalidInput("quality." + row.name + " is " + number(length) + " where cell_size is " +
+                     number(o.cell_size) + "; keep the two within a factor of 2^" +
+                     std::to_string(kFarthestUnit) + ", or leave it 0");
+}
 
 }  // namespace
 
@@ -30,16 +42,7 @@ void require_unit(const TrackerOptions& o) {
                        "; set it to a positive length from 2^" + std::to_string(kSmallestCell) +
                        " to 2^" + std::to_string(kLargestCell) + " (" + number(smallest) + " to " +
                        number(largest) + "), or scale the scene");
-  const double length = o.quality.edge_length, farthest = std::ldexp(1.0, kFarthestUnit);
-  if (length != 0 && !(length / o.cell_size <= farthest && o.cell_size / length <= farthest))
-    throw InvalidInput("quality.edge_length is " + number(length) + " where cell_size is " +
-                       number(o.cell_size) + "; keep the two within a factor of 2^" +
-                       std::to_string(kFarthestUnit) + ", or leave it 0");
-  const double chord = o.quality.chord_error;
-  if (chord != 0 && !(chord / o.cell_size <= farthest && o.cell_size / chord <= farthest))
-    throw InvalidInput("quality.chord_error is " + number(chord) + " where cell_size is " +
-                       number(o.cell_size) + "; keep the two within a factor of 2^" +
-                       std::to_string(kFarthestUnit) + ", or leave it 0");
+  for (const auto& row : quality_options().rows()) require_near(row, o);
   for (int a = 0; a < 3; ++a)
     if (!exact(o.origin[a], -unit_exponent(o)))
       throw InvalidInput("the lattice's origin has " + std::string(kAxisName[a]) + " = " +
@@ -61,10 +64,8 @@ void require_room(const std::vector<Point>& positions, const TrackerOptions& opt
 }
 
 TrackerOptions times_power(TrackerOptions options, int exponent) {
-  options.cell_size = std::ldexp(options.cell_size, exponent);
-  options.quality.edge_length = std::ldexp(options.quality.edge_length, exponent);
-  options.quality.chord_error = std::ldexp(options.quality.chord_error, exponent);
-  for (double& x : options.origin) x = std::ldexp(x, exponent);
+  scale_lengths(options, tracker_options(), exponent);
+  scale_lengths(options.quality, quality_options(), exponent);
   return options;
 }
 

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "kernel/isosurface/isosurface.h"
 #include "kernel/random.h"
-#include "kernel/shapes/isosurface.h"
 #include "tests/surgery/support.h"
 
 namespace suture {

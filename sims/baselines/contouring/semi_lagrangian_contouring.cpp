@@ -88,7 +88,7 @@ class Contouring : public SurfaceTracker {
     time_ += dt;
   }
 
-  void settle() override {}
+  void end_of_frame() override {}
   const Triangles& surface() override { return surface_; }
 
   double distance(const Point& p) override {

@@ -5,8 +5,8 @@
 
 #include <functional>
 
+#include "kernel/isosurface/marching_tetrahedra.h"
 #include "kernel/measure/nearest_triangle.h"
-#include "kernel/shapes/marching_tetrahedra.h"
 #include "kernel/triangles.h"
 
 namespace suture::sims {

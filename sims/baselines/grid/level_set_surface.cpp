@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
+#include "kernel/isosurface/marching_tetrahedra.h"
 #include "kernel/measure/signed_distance.h"
-#include "kernel/shapes/marching_tetrahedra.h"
 
 namespace suture::sims {
 namespace {

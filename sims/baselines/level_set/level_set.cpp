@@ -50,7 +50,7 @@ class LevelSet : public SurfaceTracker {
     move_ += process_seconds() - start;
   }
 
-  void settle() override {
+  void end_of_frame() override {
     if (options_.renormalise.every == 0 || since_ == 0) return;
     contour_.reset();
     const double start = process_seconds();

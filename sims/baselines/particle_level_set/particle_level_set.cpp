@@ -81,7 +81,7 @@ class ParticleLevelSet : public SurfaceTracker {
   }
 
   /// Re-initialises; re-seeding does not change the surface and stays in its rhythm.
-  void settle() override {
+  void end_of_frame() override {
     if (distances_ || options_.reinitialise_every == 0) return;
     surface_.reset();
     reinitialise();

@@ -1,12 +1,12 @@
 // The zero surface of a smooth function by marching tetrahedra: closed, manifold, embedded.
-#include "kernel/shapes/isosurface.h"
+#include "kernel/isosurface/isosurface.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 
 #include "kernel/errors.h"
-#include "kernel/shapes/marching_tetrahedra.h"
+#include "kernel/isosurface/marching_tetrahedra.h"
 
 namespace suture {
 

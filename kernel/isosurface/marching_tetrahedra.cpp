@@ -1,5 +1,5 @@
 // Marching tetrahedra, cube by cube, on values at nodes: closed, manifold, embedded [Kuhn 1960].
-#include "kernel/shapes/marching_tetrahedra.h"
+#include "kernel/isosurface/marching_tetrahedra.h"
 
 #include <algorithm>
 
