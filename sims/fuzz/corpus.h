@@ -7,7 +7,7 @@
 
 #include "sims/fuzz/fuzz_case.h"
 #include "sims/fuzz/minimise.h"
-#include "sims/fuzz/oracles.h"
+#include "sims/fuzz/checks.h"
 #include "sims/fuzz/summary.h"
 
 namespace suture::sims {

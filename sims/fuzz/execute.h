@@ -4,7 +4,7 @@
 #include <functional>
 
 #include "sims/fuzz/fuzz_case.h"
-#include "sims/fuzz/oracles.h"
+#include "sims/fuzz/checks.h"
 #include "sims/fuzz/summary.h"
 
 namespace suture::sims {

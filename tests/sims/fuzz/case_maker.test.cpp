@@ -9,7 +9,7 @@
 #include "sims/fuzz/extrude.h"
 #include "sims/fuzz/generators.h"
 #include "sims/fuzz/operation_maker.h"
-#include "sims/fuzz/oracles.h"
+#include "sims/fuzz/checks.h"
 #include "tests/sims/cli/program.h"
 
 using namespace suture;

@@ -7,7 +7,7 @@
 #include "kernel/shapes/transform.h"
 #include "sims/fuzz/case_maker.h"
 #include "sims/fuzz/execute.h"
-#include "sims/fuzz/oracles.h"
+#include "sims/fuzz/checks.h"
 #include "surgery/check/surgery_check.h"
 #include "surgery/tracker.h"
 

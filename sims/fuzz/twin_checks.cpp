@@ -26,7 +26,7 @@
 #include "kernel/lists.h"
 #include "kernel/measure/measures.h"
 #include "kernel/random.h"
-#include "sims/fuzz/oracles.h"
+#include "sims/fuzz/checks.h"
 #include "surgery/check/surgery_check.h"
 #include "surgery/tracker.h"
 

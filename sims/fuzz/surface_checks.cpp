@@ -1,5 +1,5 @@
 // Oracles that look at one surface, or at the surfaces before and after one remodel.
-#include "sims/fuzz/oracles.h"
+#include "sims/fuzz/checks.h"
 
 #include <fmt/format.h>
 
