@@ -9,7 +9,7 @@
 
 namespace suture::sims {
 
-/// What a tracker has spent so far: CPU seconds of this process by part of the work, and counts.
+/// The cost of a tracker so far: CPU seconds of this process by part of the work, and counts.
 struct TrackerCost {
   std::vector<std::pair<std::string, double>> seconds;  ///< part of the work, in a fixed order
   std::vector<std::pair<std::string, double>> counts;   ///< cells re-sampled, particles, …
