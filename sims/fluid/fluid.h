@@ -7,10 +7,9 @@
 //   liquid/    which cells are liquid: volume fractions, bodies, droplets, tracked components
 //   velocity/  what every liquid's velocity goes through: advection and the pressure projection
 //   measure/   what is told of a step: energies, costs by module
-//   effects/   one module an effect; stress/ and tension/ are their numerics, and include no
-//   effect.
-//              Of other rooms of sims they see tracking/ alone
+//   effects/   one module an effect; its numerics in stress/ and tension/ include no effect
 //   (root)     the options, which effects a scene names, the order of a step, frames
+// Of other rooms of sims, measure/ sees support/, and effects/ and the root see tracking/.
 #pragma once
 
 #include <functional>

@@ -10,6 +10,7 @@
 #include <cmath>
 
 #include "kernel/errors.h"
+#include "kernel/parallel.h"
 
 namespace suture::sims {
 namespace {
@@ -41,23 +42,21 @@ Point point(const openvdb::Coord& node) { return Point(node[0], node[1], node[2]
 /// Nodes that the surface's band may reach, with the values that are there now.
 FloatGrid::Ptr reachable(const FloatGrid& grid, const GridVelocity& u, const MacCormackStep& step) {
   openvdb::tree::LeafManager<const openvdb::FloatTree> leaves(grid.tree());
-  const double longest = tbb::parallel_reduce(
-      leaves.leafRange(), 0.0,
-      [&](const auto& range, double most) {
-        for (auto leaf = range.begin(); leaf; ++leaf)
-          for (auto at = leaf->cbeginValueOn(); at; ++at) {
-            const Point p = point(at.getCoord());
-            const Point end = path_end(u, p, step.path);
-            const double length = (end - p).lpNorm<Eigen::Infinity>();
-            if (!(length < kLongestPath))
-              throw InvalidInput(
-                  "a path within one step is not finite, or longer than 1000 cells; check the "
-                  "velocity field or take shorter steps");
-            most = std::max(most, length);
-          }
-        return most;
-      },
-      [](double a, double b) { return std::max(a, b); });
+  const auto longest_from = [&](std::size_t leaf) {
+    double most = 0;
+    for (auto at = leaves.leaf(leaf).cbeginValueOn(); at; ++at) {
+      const Point p = point(at.getCoord());
+      const Point end = path_end(u, p, step.path);
+      const double length = (end - p).lpNorm<Eigen::Infinity>();
+      if (!(length < kLongestPath))
+        throw InvalidInput(
+            "a path within one step is not finite, or longer than 1000 cells; check the "
+            "velocity field or take shorter steps");
+      most = std::max(most, length);
+    }
+    return most;
+  };
+  const double longest = parallel_max(leaves.leafCount(), 0, longest_from, 1);
   FloatGrid::Ptr wide = grid.deepCopy();
   openvdb::tools::dilateActiveValues(wide->tree(), static_cast<int>(std::ceil(longest)) + 1,
                                      openvdb::tools::NN_FACE_EDGE_VERTEX,

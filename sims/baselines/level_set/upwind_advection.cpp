@@ -5,9 +5,11 @@
 #include <openvdb/tools/Morphology.h>
 #include <openvdb/tree/LeafManager.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "kernel/errors.h"
+#include "kernel/parallel.h"
 
 namespace suture::sims {
 namespace {
@@ -96,18 +98,16 @@ void renormalise(openvdb::FloatGrid& grid, const Renormalisation& o) {
 
 double fastest(const openvdb::FloatGrid& grid, const GridVelocity& u, double time) {
   openvdb::tree::LeafManager<const openvdb::FloatTree> leaves(grid.tree());
-  return tbb::parallel_reduce(
-      leaves.leafRange(), 0.0,
-      [&](const auto& range, double most) {
-        for (auto leaf = range.begin(); leaf; ++leaf)
-          for (auto at = leaf->cbeginValueOn(); at; ++at) {
-            const openvdb::Coord node = at.getCoord();
-            if (((node[0] | node[1] | node[2]) & 1) != 0) continue;
-            most = std::max(most, u(Point(node[0], node[1], node[2]), time).norm());
-          }
-        return most;
-      },
-      [](double a, double b) { return std::max(a, b); });
+  const auto fastest_of = [&](std::size_t leaf) {
+    double most = 0;
+    for (auto at = leaves.leaf(leaf).cbeginValueOn(); at; ++at) {
+      const openvdb::Coord node = at.getCoord();
+      if (((node[0] | node[1] | node[2]) & 1) != 0) continue;
+      most = std::max(most, u(Point(node[0], node[1], node[2]), time).norm());
+    }
+    return most;
+  };
+  return parallel_max(leaves.leafCount(), 0, fastest_of, 1);
 }
 
 }  // namespace suture::sims
