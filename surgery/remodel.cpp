@@ -19,7 +19,6 @@
 #include "surgery/detect/distance_field.h"
 #include "surgery/detect/invariance.h"
 #include "surgery/detect/region.h"
-#include "surgery/model/jitter.h"
 #include "surgery/operate/cut.h"
 #include "surgery/operate/fill.h"
 #include "surgery/operate/placement.h"

@@ -8,7 +8,7 @@
 
 namespace suture::surgery {
 
-/// The ways and means of a remodel or an improvement. All must outlive it.
+/// The options, the oracle and the listener of a remodel or an improvement. All must outlive it.
 struct Setup {
   const TrackerOptions& options;
   const Oracle& oracle;

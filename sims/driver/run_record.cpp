@@ -98,7 +98,7 @@ std::size_t RunRecord::add_step() {
   json now = measured(surface());
   now["step"] = index;
   now["time"] = steps_.time();
-  now["seconds"] = watch_.lap();
+  now["seconds"] = watch_.next();
   if (steps_.fluid() != nullptr) now["fluid"] = to_json(std::exchange(frame_, {}));
   if (is_mesh()) now["untouched_area"] = ages_.untouched_area(surface());
   const auto parts = now["components"].get<std::size_t>();
@@ -117,7 +117,7 @@ std::size_t RunRecord::add_step() {
     now["picture"] = name;
     ++summary_.pictures;
   }
-  now["output_seconds"] = watch_.lap();
+  now["output_seconds"] = watch_.next();
   report_["steps"].push_back(std::move(now));
   if (mesh || picture || index % kReportEvery == 0) write_report();
   return parts;

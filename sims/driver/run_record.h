@@ -5,11 +5,11 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "kernel/trace.h"
 #include "sims/driver/patch_ages.h"
-#include "sims/driver/run.h"
+#include "sims/driver/run_summary.h"
 #include "sims/driver/scene_steps.h"
 #include "sims/fluid/frame.h"
+#include "sims/support/clock.h"
 
 namespace suture::sims {
 
@@ -48,7 +48,7 @@ class RunRecord : public StepWatcher {
   const SceneSteps& steps_;
   PatchAges ages_;
   FluidFrame frame_;  ///< since the last step, where a fluid moves the surface
-  Stopwatch watch_;
+  Lap watch_{wall_seconds};
   nlohmann::json report_;
   RunSummary summary_;
 };

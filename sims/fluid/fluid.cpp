@@ -10,6 +10,7 @@
 #include "kernel/errors.h"
 #include "sims/fluid/effect_registry.h"
 #include "sims/fluid/liquid/subgrid_droplets.h"
+#include "sims/fluid/options_table.h"
 #include "sims/fluid/solids/wall_projection.h"
 #include "sims/fluid/velocity/pressure.h"
 
@@ -18,22 +19,6 @@ namespace {
 
 constexpr int kBand = 3;         // cells round the liquid that exist whatever the step
 constexpr int kWidestBand = 40;  // and at most, for steps across many cells
-
-[[noreturn]] void refuse(const char* what) { throw InvalidInput(std::string("fluid: ") + what); }
-
-bool positive(double x) { return x > 0 && std::isfinite(x); }
-
-void check(const FluidOptions& o) {
-  if (!positive(o.cell_size)) refuse("cell_size must be finite and above 0");
-  if (!positive(o.density)) refuse("density must be finite and above 0");
-  if (!o.gravity.allFinite() || !o.origin.allFinite()) refuse("gravity and origin must be finite");
-  if (!positive(o.cfl)) refuse("cfl must be finite and above 0");
-  if (o.most_steps <= 0) refuse("most_steps must be 1 or more");
-  if (!(o.topology_cells > 0)) refuse("topology_cells must be above 0");
-  for (const SolverOptions& s : {o.pressure, o.viscous_solver})
-    if (!(s.tolerance > 0) || s.tolerance > 1 || s.most_iterations <= 0)
-      refuse("a solver's tolerance must be above 0 and at most 1, and most_iterations 1 or more");
-}
 
 std::size_t memory(const MacVelocity& velocity) {
   return 3 * velocity.u[0].size() * (sizeof(double) + 1);
@@ -262,10 +247,12 @@ void Fluid::step(SurfaceTracker& surface, double dt) {
 }
 
 void Fluid::before_remodel(SurfaceTracker& surface) {
-  for (const auto& effect : state_->effects) effect->before_remodel(surface.surface());
+  const Triangles& now = surface.surface();
+  for (const auto& effect : state_->effects) effect->before_remodel(now);
 }
 void Fluid::after_remodel(SurfaceTracker& surface) {
-  for (const auto& effect : state_->effects) effect->after_remodel(surface.surface());
+  const Triangles& now = surface.surface();
+  for (const auto& effect : state_->effects) effect->after_remodel(now);
   state_->since_surgery = 0;
 }
 bool Fluid::wants_topology() const {

@@ -44,7 +44,7 @@ class Fluid : public Simulator {
   /// \throw InvalidInput if a velocity is beyond the finite numbers, as SurfaceTracker::advect
   void step(SurfaceTracker& surface, double dt) override;
 
-  /// Both let volume control hand on what each body of liquid should have.
+  /// Volume control hands on what each body of liquid should have.
   void before_remodel(SurfaceTracker& surface) override;
   void after_remodel(SurfaceTracker& surface) override;
 

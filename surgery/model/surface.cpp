@@ -1,7 +1,9 @@
 // Garbage collection renumbers elements; origins tell what became of the old ones.
 #include "surgery/model/surface.h"
 
-#include <algorithm>
+#include <bit>
+
+#include "kernel/random.h"
 
 namespace suture::surgery {
 
@@ -32,6 +34,24 @@ Adopted adopt(Mesh&& mesh, const Origins& origins) {
   result.surface.triangles = to_triangles(mesh);
   result.surface.mesh = std::move(mesh);
   return result;
+}
+
+bool jitters(const TrackerOptions& options) {
+  return options.arithmetic == Arithmetic::rounded && options.jitter > 0;
+}
+
+Surface jittered(Surface surface, const TrackerOptions& options) {
+  // Seeds come from a hash of each vertex, so that no state is kept between remodels.
+  const double reach = options.jitter * options.cell_size;
+  for (std::uint32_t v = 0; v < surface.triangles.positions.size(); ++v) {
+    Point& p = surface.triangles.positions[v];
+    std::uint64_t seed = v;
+    for (const double x : p) seed = Random(seed ^ std::bit_cast<std::uint64_t>(x)).next();
+    Random random(seed);
+    for (double& x : p) x += random.uniform(-reach, reach);
+    surface.mesh.point(Mesh::Vertex_index(v)) = to_cgal(p);
+  }
+  return surface;
 }
 
 }  // namespace suture::surgery
