@@ -1,8 +1,8 @@
 // A column of thick liquid between a floor and a plate that comes down: it buckles.
 #include <cmath>
 
+#include "tests/bench/fluid_validation/equal_steps.h"
 #include "tests/bench/fluid_validation/validation.h"
-#include "tests/sims/fluid/runs.h"
 
 namespace suture {
 
@@ -17,7 +17,8 @@ void buckling(Rows& rows) {
     PressedColumn column(1.0 / cells);
     double from = 0, slender_from = 0;
     for (int i = 0; i <= 30; ++i) {
-      for (int part = 0; i > 0 && part < kParts; ++part) column.run.frame(0.1 / kParts);
+      for (int part = 0; i > 0 && part < kParts; ++part)
+        frame_of_equal_steps(column.run, 0.1 / kParts);
       const double shorter = 1 - column.height(), aside = column.aside();
       rows.add("_aside", cells, shorter, aside / column.width, column.slender() / column.width);
       if (i == 2) {

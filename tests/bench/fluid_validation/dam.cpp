@@ -6,9 +6,9 @@
 #include <fstream>
 #include <functional>
 
+#include "tests/bench/fluid_validation/equal_steps.h"
 #include "tests/bench/fluid_validation/validation.h"
 #include "tests/paths.h"
-#include "tests/sims/fluid/runs.h"
 
 namespace suture {
 
@@ -58,7 +58,7 @@ Fallen collapse(int n2, int cells, int deep, double end,
   Fallen c{{{0, 1}}, {{0, 1}}, {{0, 1}}, {{0, 1}}, 0};
   const double mass = run.volume(), energy = mass * n2 / 2;
   for (double time = frame; time < end + frame; time += frame) {
-    run.frame(frame);
+    frame_of_equal_steps(run, frame);
     double front = 0, film = 0, height = 0;
     for (const Point& p : run.points()) {
       front = std::max(front, p[0]);

@@ -3,9 +3,9 @@
 
 #include <cmath>
 
+#include "tests/bench/fluid_validation/equal_steps.h"
 #include "tests/bench/fluid_validation/validation.h"
 #include "tests/sims/fluid/liquids.h"
-#include "tests/sims/fluid/runs.h"
 
 namespace suture {
 
@@ -82,7 +82,7 @@ static void slosh(Rows& rows, bool control) {
   Run run(water, cell, options, at_rest, kPerFrame);
   const double whole = volume(water);
   for (int i = 1; i <= 400; ++i) {
-    run.frame(0.05);
+    frame_of_equal_steps(run, 0.05);
     if (i % 8 == 0) rows.add(control ? "_controlled" : "_free", 16, 0.05 * i, run.volume(), whole);
   }
 }
@@ -113,7 +113,7 @@ static void meeting(Rows& rows, int cells, bool control) {
   const std::string with = control ? "_controlled" : "";
   constexpr int kFrames = 40;
   for (int i = 1; i <= kFrames; ++i) {
-    run.frame(0.05);
+    frame_of_equal_steps(run, 0.05);
     if (i % 2 != 0) continue;
     const LiquidMeasures now = run.fluid.measures();
     const double time = 0.05 * i;
