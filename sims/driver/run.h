@@ -3,9 +3,8 @@
 
 #include <cstdint>
 #include <filesystem>
-#include <string>
 
-#include "kernel/audit.h"
+#include "sims/driver/run_summary.h"
 #include "sims/scene/scene.h"
 
 namespace suture::sims {
@@ -22,16 +21,6 @@ class RunWatcher {
  public:
   virtual ~RunWatcher() = default;
   virtual void stepped(const Progress& progress) = 0;
-};
-
-/// The counts of a run, for its user's last line.
-struct RunSummary {
-  std::int64_t steps = 0;
-  std::size_t remodels = 0, committed = 0, refused = 0, merges = 0, splits = 0;
-  std::size_t meshes = 0, pictures = 0;
-  std::string reproducer;  ///< of the first surgery that was refused
-  std::string failure;     ///< why it was
-  Audit audit;             ///< of the last surface
 };
 
 /// Runs the scene and writes meshes, pictures and report.json to `folder`, which is made. The

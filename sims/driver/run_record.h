@@ -7,7 +7,7 @@
 
 #include "kernel/trace.h"
 #include "sims/driver/patch_ages.h"
-#include "sims/driver/run.h"
+#include "sims/driver/run_summary.h"
 #include "sims/driver/scene_steps.h"
 #include "sims/fluid/frame.h"
 
