@@ -7,7 +7,6 @@
 
 #include "kernel/audit.h"
 #include "kernel/errors.h"
-#include "kernel/formats/mesh_io.h"
 #include "kernel/lists.h"
 #include "predicates/floating_point.h"
 #include "surgery/advect.h"
@@ -95,7 +94,6 @@ struct Tracker::State {
   TrackerOptions options;
   std::unique_ptr<Oracle> oracle;
   double time = 0;
-  int remodels = 0;
 };
 
 Tracker::Tracker(Triangles surface, const TrackerOptions& options) {
@@ -142,16 +140,7 @@ SurfaceDistance Tracker::distance() const { return SurfaceDistance(surface(), st
 
 SurgeryReport Tracker::remodel(Trace* trace) {
   require_ieee_arithmetic();  // of this thread, which need not be the one that made the tracker
-  SurgeryReport report = remodel_in_unit(state_->surface, state_->options, *state_->oracle, trace);
-  ++state_->remodels;
-  if (report.outcome == Outcome::refused && !state_->options.reproducers.empty()) {
-    std::filesystem::create_directories(state_->options.reproducers);
-    const auto path = state_->options.reproducers /
-                      ("refused_remodel_" + std::to_string(state_->remodels) + ".ply");
-    write_triangles(path, surface());
-    report.reproducer = path.string();
-  }
-  return report;
+  return remodel_in_unit(state_->surface, state_->options, *state_->oracle, trace);
 }
 
 QualityReport Tracker::improve(Trace* trace) {

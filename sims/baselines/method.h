@@ -1,4 +1,4 @@
-// The ways to track a surface that a scene can name, with their options, and whichever it names.
+// The ways to track a surface that a scene can name, with their options.
 #pragma once
 
 #include <memory>
@@ -40,11 +40,9 @@ const char* method_name(MethodKind kind);
 /// tracker's where it does not say. \throw InvalidInput with the key and what is allowed
 MethodOptions read_method(Keys keys, const TrackerOptions& tracker);
 
-struct Scene;
-
-/// The scene's surface as its method keeps it, remodelled and improved as the scene says.
-/// \throw InvalidInput if a motion is no velocity field and the method no mesh, or the method
-/// refuses its options or the surface
-std::unique_ptr<SurfaceTracker> make_surface_tracker(const Scene& scene);
+/// The baseline that the method names, begun with `surface`. \throw InvalidInput if the method is a
+/// mesh, or refuses its options or the surface
+std::unique_ptr<SurfaceTracker> make_baseline(const Triangles& surface,
+                                              const MethodOptions& method);
 
 }  // namespace suture::sims

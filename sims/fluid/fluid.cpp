@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <utility>
 
@@ -185,20 +186,21 @@ Fluid::Fluid(FluidOptions options, Initial initial) : state_(std::make_unique<St
 
 Fluid::~Fluid() = default;
 
-int Fluid::steps_in(double left) const {
+double Fluid::longest_step() const {
   const State& s = *state_;
   const FluidOptions& o = s.options;
-  if (s.started() && s.liquid.grid->size() == 0)
-    return 1;  // no liquid is left that could be too fast
+  if (s.started() && s.liquid.grid->size() == 0)  // no liquid is left that could be too fast
+    return std::numeric_limits<double>::infinity();
   const double speed =
       std::max(s.started() ? largest_component(s.velocity) : 0, s.solids.fastest());
   // What falls with g from this speed crosses cfl cells in the root of g t² + speed t = cfl h.
   const double reach = o.cfl * o.cell_size, g = s.fall(1);
   double longest = 2 * reach / (speed + std::sqrt(speed * speed + 4 * g * reach));
   for (const auto& effect : s.effects) longest = std::min(longest, effect->longest_step());
-  const double steps = longest > 0 ? std::ceil(left / longest * (1 - 1e-9)) : o.most_steps;
-  return static_cast<int>(std::clamp<double>(steps, 1, o.most_steps));
+  return longest;
 }
+
+int Fluid::most_steps() const { return state_->options.most_steps; }
 
 /// Brings the velocity to the middle of the next dt.
 void Fluid::State::bring_forward(SurfaceTracker& surface, double dt) {
@@ -259,11 +261,13 @@ void Fluid::step(SurfaceTracker& surface, double dt) {
   s.time += dt;
 }
 
-void Fluid::before_remodel(const Triangles& surface) {
-  for (const auto& effect : state_->effects) effect->before_remodel(surface);
+void Fluid::before_remodel(SurfaceTracker& surface) {
+  const Triangles& now = surface.surface();
+  for (const auto& effect : state_->effects) effect->before_remodel(now);
 }
-void Fluid::after_remodel(const Triangles& surface) {
-  for (const auto& effect : state_->effects) effect->after_remodel(surface);
+void Fluid::after_remodel(SurfaceTracker& surface) {
+  const Triangles& now = surface.surface();
+  for (const auto& effect : state_->effects) effect->after_remodel(now);
   state_->since_surgery = 0;
 }
 bool Fluid::wants_topology() const {

@@ -21,37 +21,36 @@
 #include "sims/fluid/measure/fluid_step.h"
 #include "sims/fluid/measure/liquid_measures.h"
 #include "sims/fluid/measure/module_cost.h"
-#include "sims/tracking/surface_tracker.h"
+#include "sims/tracking/simulator.h"
 
 namespace suture::sims {
 
 /// Incompressible liquid under a free surface [Bridson 2015]. The surface is whoever's tracks it;
 /// the velocity lives half a step behind it, so that free fall is exact and both are second order
 /// in a smooth force.
-class Fluid {
+class Fluid : public Simulator {
  public:
   using Initial = std::function<Point(const Point&)>;  ///< velocity at a place, at time 0
 
   /// \throw InvalidInput for options out of range, or that cannot work together
   Fluid(FluidOptions options, Initial initial);
-  ~Fluid();
+  ~Fluid() override;
 
-  /// The number of equal steps that take the surface through `left`, as the CFL number and the
-  /// effects that are explicit allow. \pre left > 0
-  int steps_in(double left) const;
+  /// The longest step that the CFL number and the effects that are explicit allow.
+  double longest_step() const override;
+  int most_steps() const override;
 
   /// Brings the velocity forward to the middle of the next dt, then moves the surface through it.
   /// \throw InvalidInput if a velocity is beyond the finite numbers, as SurfaceTracker::advect
-  void step(SurfaceTracker& surface, double dt);
+  void step(SurfaceTracker& surface, double dt) override;
 
-  /// Both are to be called round what changes the surface's triangles between steps, so that volume
-  /// control hands on what each body of liquid should have.
-  void before_remodel(const Triangles& surface);
-  void after_remodel(const Triangles& surface);
+  /// Volume control hands on what each body of liquid should have.
+  void before_remodel(SurfaceTracker& surface) override;
+  void after_remodel(SurfaceTracker& surface) override;
 
   /// Whether the surface has moved so far since after_remodel that the next step might take it
   /// beyond FluidOptions::topology_cells: a surgery should come first.
-  bool wants_topology() const;
+  bool wants_topology() const override;
 
   /// The velocity at p now, in the liquid and some cells round it; elsewhere 0.
   Point velocity(const Point& p) const;

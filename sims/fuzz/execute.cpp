@@ -8,7 +8,7 @@
 #include "kernel/hash.h"
 #include "kernel/measure/measures.h"
 #include "kernel/random.h"
-#include "sims/flows/motion.h"
+#include "sims/flows/motions.h"
 #include "sims/fuzz/operation_maker.h"
 #include "sims/scene/option_names.h"
 #include "surgery/tracker.h"

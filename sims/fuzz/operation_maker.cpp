@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "sims/flows/motion.h"
+#include "sims/flows/motions.h"
 #include "sims/scene/option_names.h"
 
 namespace suture::sims {

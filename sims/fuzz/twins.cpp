@@ -53,12 +53,6 @@ bool applies(const Observation& o) {
          o.options.arithmetic == Arithmetic::filtered;
 }
 
-TrackerOptions plain_options(const Observation& o) {
-  TrackerOptions options = o.options;
-  options.reproducers.clear();
-  return options;
-}
-
 /// Whether pieces could not be merged in one of the two: that depends on rounded positions and on
 /// where a polygon starts, and adds type 1 vertices.
 bool split_triangles(const SurgeryReport& a, const SurgeryReport& b) {
@@ -172,7 +166,7 @@ bool planes_moved_exactly(const Lattice& a, const Lattice& b, const Point& by) {
 
 Objection object_rational(const Observation& o) {
   if (!applies(o)) return {};
-  TrackerOptions options = plain_options(o);
+  TrackerOptions options = o.options;
   options.arithmetic = Arithmetic::rational;
   const Twin twin = remodelled(o.before, options);
   if (const auto d = compare_counts(*o.surgery, twin.report)) return "rational: " + *d;
@@ -188,7 +182,7 @@ Objection object_scaling(const Observation& o) {
   const Triangles twin_before = scaled_exactly(o.before, factor);
   if (!same_bits(scaled_exactly(twin_before, 1 / factor), o.before) || has_subnormals(o.before))
     return {};
-  TrackerOptions options = plain_options(o);
+  TrackerOptions options = o.options;
   options.cell_size *= factor;
   options.origin *= factor;
   options.quality.edge_length *= factor;
@@ -206,7 +200,7 @@ Objection object_scaling(const Observation& o) {
 Objection object_axes(const Observation& o) {
   if (!applies(o) || count_ties(o.before, lattice_of(o.before.positions, o.options)) != 0)
     return {};
-  TrackerOptions options = plain_options(o);
+  TrackerOptions options = o.options;
   options.origin = Point(options.origin[2], options.origin[0], options.origin[1]);
   const Twin twin = remodelled(turned(o.before), options);
   if (const auto d = compare_counts(*o.surgery, twin.report)) return "axes turned: " + *d;
@@ -222,7 +216,7 @@ Objection object_cells(const Observation& o) {
   for (int a = 0; a < 3; ++a)
     by[a] = o.options.cell_size * (static_cast<double>(random.below(9)) - 4);
   const Lattice lattice = lattice_of(o.before.positions, o.options);
-  TrackerOptions options = plain_options(o);
+  TrackerOptions options = o.options;
   options.origin += by;
   if (lattice_of(o.before.positions, options) == lattice &&
       !same_bits(remodelled(o.before, options).surface, o.after))
@@ -241,7 +235,7 @@ Objection object_cells(const Observation& o) {
 Objection object_order(const Observation& o) {
   if (!applies(o)) return {};
   Random random(o.seed);
-  const Twin twin = remodelled(reordered(o.before, random), plain_options(o));
+  const Twin twin = remodelled(reordered(o.before, random), o.options);
   if (const auto d = compare_counts(*o.surgery, twin.report)) return "reordered: " + *d;
   if (points_are_promised(o, twin) && sorted_points(o.after) != sorted_points(twin.surface))
     return "reordered: other points";

@@ -70,13 +70,13 @@ json to_json(const QualityOptions& q) {
 
 }  // namespace
 
-json to_json(const SurgeryReport& r) {
+json to_json(const SurgeryReport& r, const std::string& reproducer) {
   json seconds = json::object();
   for (const auto& [stage, time] : r.seconds)  // a stage may have run more than once
     seconds[stage] = seconds.value(stage, 0.0) + time;
   return {{"outcome", name_of(r.outcome, kOutcomeNames)},
           {"failure", r.failure},
-          {"reproducer", r.reproducer},
+          {"reproducer", reproducer},
           {"crossings", r.crossings},
           {"surface_cells", r.surface_cells},
           {"complex_cells", r.complex_cells},

@@ -13,8 +13,9 @@ namespace suture::sims {
 struct FluidFrame;
 struct ModuleCost;
 
-/// Every field of the report but the vertex map.
-nlohmann::json to_json(const SurgeryReport& report);
+/// Every field of the report but the vertex map. `reproducer` names the file that holds the mesh of
+/// a refused surgery, if one was saved.
+nlohmann::json to_json(const SurgeryReport& report, const std::string& reproducer = {});
 nlohmann::json to_json(const QualityReport& report);
 nlohmann::json to_json(const Audit& audit);
 nlohmann::json to_json(const TrackerOptions& options);

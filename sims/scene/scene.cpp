@@ -13,6 +13,7 @@
 #include "kernel/measure/measures.h"
 #include "kernel/shapes/shapes.h"
 #include "kernel/shapes/transform.h"
+#include "sims/flows/motions.h"
 #include "sims/scene/bodies_reader.h"
 #include "sims/scene/fluid_reader.h"
 #include "sims/scene/option_names.h"

@@ -7,7 +7,7 @@
 
 #include "kernel/errors.h"
 #include "kernel/measure/measures.h"
-#include "sims/driver/method_stepper.h"
+#include "sims/driver/scene_steps.h"
 #include "sims/study/row.h"
 #include "sims/support/processes.h"
 
@@ -71,7 +71,7 @@ class Measured {
     try {
       forget_peak();
       const double start = process_seconds();
-      steps_ = make_steps(scene_, scene_.tracker);
+      steps_ = std::make_unique<SceneSteps>(scene_);
       now_.seconds = process_seconds() - start;
       go();
       const auto counts = cost().counts;
@@ -94,11 +94,12 @@ class Measured {
     const bool mesh = has_a_mesh(scene_);
     std::size_t next = 0;
     for (; next < times_.size() && times_[next] <= 0; ++next) snap();
-    for (std::int64_t i = 1; i <= steps && next < times_.size(); ++i) {
+    while (steps_->more() && next < times_.size()) {
       timed([&] {
         watch_.begin();
-        steps_->step(i, watch_);
+        steps_->step(watch_);
       });
+      const std::int64_t i = steps_->index();
       now_.steps += 1;
       if (mesh) count();
       const double reached = steps_->time() + 1e-9 * scene_.time.step;
@@ -168,7 +169,7 @@ class Measured {
   Scene& scene_;
   std::vector<double> times_;
   RunWatcher* watcher_;
-  std::unique_ptr<Steps> steps_;
+  std::unique_ptr<SceneSteps> steps_;
   Watch watch_;
   Snapshot now_;
   double counted_ = 0;

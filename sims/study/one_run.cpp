@@ -11,7 +11,7 @@
 #include "kernel/formats/mesh_io.h"
 #include "kernel/measure/distance.h"
 #include "kernel/measure/measures.h"
-#include "sims/driver/stepper.h"
+#include "sims/driver/scene_steps.h"
 #include "sims/study/surface_measures.h"
 #include "sims/study/table.h"
 #include "sims/support/processes.h"
@@ -111,15 +111,16 @@ void measure(const Triangles& surface, const Scene& scene, const OneRun& run, Ro
 
 void run_scene(const OneRun& run, Row& row) {
   Scene scene = read_scene(run.scene, run.changes);
-  Stepper stepper(scene, scene.tracker);
+  require_moved_mesh(scene);
+  SceneSteps steps(scene);
   Costs costs(row);
   forget_peak();
-  for (std::int64_t i = 1; i <= scene.time.steps() && !stepper.vanished(); ++i) {
-    stepper.step(i, costs);
-    costs.stepped(stepper.tracker().surface());
+  while (steps.more() && !steps.vanished()) {
+    steps.step(costs);
+    costs.stepped(steps.surface());
   }
   row.outcome = row.figures.refused > 0 ? kRefusedRun : kDoneRun;
-  measure(stepper.tracker().surface(), scene, run, row);
+  measure(steps.surface(), scene, run, row);
 }
 
 }  // namespace

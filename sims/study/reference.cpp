@@ -11,7 +11,7 @@
 #include "kernel/errors.h"
 #include "kernel/files.h"
 #include "kernel/formats/mesh_io.h"
-#include "sims/driver/stepper.h"
+#include "sims/driver/scene_steps.h"
 #include "sims/study/one_run.h"
 #include "sims/study/table.h"
 
@@ -40,10 +40,11 @@ Triangles carried_alone(Scene& scene, Triangles surface) {
   scene.time.remodel_every = scene.time.improve_every = 0;
   scene.time.step /= 4;
   scene.method = {};  // vertices, whatever it is a reference for
-  Stepper stepper(scene, scene.tracker);
+  require_moved_mesh(scene);
+  SceneSteps steps(scene);
   StepWatcher nobody;
-  for (std::int64_t i = 1; i <= scene.time.steps(); ++i) stepper.step(i, nobody);
-  return stepper.tracker().surface();
+  while (steps.more()) steps.step(nobody);
+  return steps.surface();
 }
 
 Reference from_flow(const fs::path& file, const fs::path& mesh) {

@@ -1,4 +1,4 @@
-// The mesh tracker behind the interface that its rivals have too.
+// The mesh tracker behind the interface that the baselines have too.
 #include "sims/tracking/mesh_tracker.h"
 
 #include <optional>
@@ -11,40 +11,71 @@
 namespace suture::sims {
 namespace {
 
+/// Adds the CPU seconds of its life to a sum.
+class Timer {
+ public:
+  explicit Timer(double& sum) : sum_(sum), start_(process_seconds()) {}
+  ~Timer() { sum_ += process_seconds() - start_; }
+  Timer(const Timer&) = delete;
+  Timer& operator=(const Timer&) = delete;
+
+ private:
+  double& sum_;
+  double start_;
+};
+
+/// Counts its calls and their time. Where nothing is left, moves let the time pass and no more.
 class MeshTracker : public SurfaceTracker {
  public:
-  MeshTracker(Triangles surface, const TrackerOptions& options, const MeshSchedule& schedule)
-      : tracker_(std::move(surface), options), schedule_(schedule) {
-    if (schedule.remodel_every < 0 || schedule.improve_every < 0)
-      throw InvalidInput("remodel_every and improve_every count steps; give 0 (never) or more");
-  }
+  MeshTracker(Triangles surface, const TrackerOptions& options)
+      : tracker_(std::move(surface), options) {}
+
+  bool keeps_triangles() const override { return true; }
 
   void advect(const VelocityField& u, double dt) override {
-    if (vanished()) {
-      gone_for_ += dt;
-      return;
+    if (!vanished()) {
+      const Timer timer(move_);
+      distance_.reset();
+      tracker_.advect(u, dt);
     }
-    distance_.reset();
-    const double start = process_seconds();
-    tracker_.advect(u, dt);
-    move_ += process_seconds() - start;
-    remodelled_ = improved_ = false;
-    ++steps_;
-    if (due(schedule_.remodel_every)) remodel();
-    if (due(schedule_.improve_every)) improve();
+    time_ += dt;
   }
 
-  void displace(std::vector<Point> positions) override {
-    if (vanished()) return;
-    distance_.reset();
-    tracker_.displace(std::move(positions));
-    remodelled_ = improved_ = false;
+  void displace(std::vector<Point> positions, double dt) override {
+    if (!vanished()) {
+      const Timer timer(move_);
+      distance_.reset();
+      tracker_.displace(std::move(positions), dt);
+    } else if (!positions.empty()) {
+      throw InvalidInput("displace was given positions for a surface of which nothing is left");
+    }
+    time_ += dt;
   }
 
-  void settle() override {
-    if (schedule_.remodel_every > 0 && !remodelled_) remodel();
-    if (schedule_.improve_every > 0 && !improved_) improve();
+  SurgeryReport remodel() override {
+    require_surface("remodelled");
+    const Timer timer(remodel_);
+    distance_.reset();
+    SurgeryReport report = tracker_.remodel();
+    ++remodels_;
+    committed_ += report.outcome == Outcome::committed;
+    refused_ += report.outcome == Outcome::refused;
+    if (report.outcome == Outcome::committed) cells_ += static_cast<double>(report.marked.total());
+    return report;
   }
+
+  QualityReport improve() override {
+    require_surface("improved");
+    const Timer timer(improve_);
+    distance_.reset();
+    QualityReport report = tracker_.improve();
+    subdivisions_ += static_cast<double>(report.subdivisions);
+    collapses_ += static_cast<double>(report.collapses.done);
+    flips_ += static_cast<double>(report.flips);
+    return report;
+  }
+
+  void end_of_frame() override {}
 
   const Triangles& surface() override { return tracker_.surface(); }
 
@@ -53,12 +84,7 @@ class MeshTracker : public SurfaceTracker {
     return distance_->at(p);
   }
 
-  bool keeps_triangles() const override {
-    const auto idle = [](int every) { return every == 0 || every == kWhenItSettles; };
-    return idle(schedule_.remodel_every) && idle(schedule_.improve_every);
-  }
-  void watch(StepWatcher* watcher) override { watcher_ = watcher; }
-  double time() const override { return tracker_.time() + gone_for_; }
+  double time() const override { return time_; }
 
   TrackerCost cost() const override {
     return {{{"move", move_}, {"remodel", remodel_}, {"improve", improve_}},
@@ -72,45 +98,17 @@ class MeshTracker : public SurfaceTracker {
   }
 
  private:
-  bool due(int every) const { return every > 0 && steps_ % every == 0; }
   bool vanished() const { return tracker_.surface().triangles.empty(); }
 
-  void remodel() {
-    if (vanished()) return;
-    distance_.reset();
-    const double start = process_seconds();
-    const SurgeryReport report = tracker_.remodel();
-    remodel_ += process_seconds() - start;
-    remodelled_ = true;
-    ++remodels_;
-    committed_ += report.outcome == Outcome::committed;
-    refused_ += report.outcome == Outcome::refused;
-    if (watcher_ != nullptr) watcher_->remodelled(report);
-    if (report.outcome != Outcome::committed) return;
-    improved_ = false;
-    cells_ += static_cast<double>(report.marked.total());
-  }
-
-  void improve() {
-    if (vanished()) return;
-    distance_.reset();
-    const double start = process_seconds();
-    const QualityReport report = tracker_.improve();
-    improve_ += process_seconds() - start;
-    improved_ = true;
-    subdivisions_ += static_cast<double>(report.subdivisions);
-    collapses_ += static_cast<double>(report.collapses.done);
-    flips_ += static_cast<double>(report.flips);
-    if (watcher_ != nullptr) watcher_->improved(report);
+  void require_surface(const std::string& what) const {
+    if (vanished())
+      throw InvalidInput("a surface of which nothing is left cannot be " + what +
+                         "; look first whether it has triangles");
   }
 
   Tracker tracker_;
-  MeshSchedule schedule_;
   std::optional<SignedDistance> distance_;  ///< of the surface as it is, once it was asked for
-  std::int64_t steps_ = 0;
-  StepWatcher* watcher_ = nullptr;
-  double gone_for_ = 0;                         ///< time since nothing was left
-  bool remodelled_ = false, improved_ = false;  ///< since the last move
+  double time_ = 0;                         ///< goes on where nothing is left
   double move_ = 0, remodel_ = 0, improve_ = 0;
   double remodels_ = 0, committed_ = 0, refused_ = 0, cells_ = 0;
   double subdivisions_ = 0, collapses_ = 0, flips_ = 0;
@@ -118,9 +116,9 @@ class MeshTracker : public SurfaceTracker {
 
 }  // namespace
 
-std::unique_ptr<SurfaceTracker> make_mesh_tracker(Triangles surface, const TrackerOptions& options,
-                                                  const MeshSchedule& schedule) {
-  return std::make_unique<MeshTracker>(std::move(surface), options, schedule);
+std::unique_ptr<SurfaceTracker> make_mesh_tracker(Triangles surface,
+                                                  const TrackerOptions& options) {
+  return std::make_unique<MeshTracker>(std::move(surface), options);
 }
 
 }  // namespace suture::sims

@@ -1,4 +1,4 @@
-// Any way to track a moving surface, seen alike: what a measurement or a solver asks of it.
+// The interface of everything that keeps a moving surface: a mesh, or a baseline to compare with.
 #pragma once
 
 #include <string>
@@ -9,54 +9,52 @@
 
 namespace suture::sims {
 
-/// What a tracker has spent so far: CPU seconds of this process by part of the work, and counts.
+/// The cost of a tracker so far: CPU seconds of this process by part of the work, and counts.
 struct TrackerCost {
   std::vector<std::pair<std::string, double>> seconds;  ///< part of the work, in a fixed order
   std::vector<std::pair<std::string, double>> counts;   ///< cells re-sampled, particles, …
 };
 
-/// Told of each part of a step as it ends, before the motion hears of the changed surface.
-class StepWatcher {
- public:
-  virtual ~StepWatcher() = default;
-  virtual void moved(double /*dt*/) {}
-  virtual void remodelled(const SurgeryReport& /*report*/) {}
-  virtual void improved(const QualityReport& /*report*/) {}
-};
-
-/// Owns a surface in whatever form it keeps it. Lengths and times are in the scene's unit.
+/// Owns a surface in whatever form it keeps it. Lengths and times are in the scene's unit. Every
+/// tracker serves advect; calls that it cannot serve throw InvalidInput and change nothing.
 class SurfaceTracker {
  public:
   virtual ~SurfaceTracker() = default;
 
-  /// Moves the surface along u from time() to time() + dt, with all that belongs to the method at
-  /// every step or every few (remodels, re-initialisation, re-seeding).
+  /// Whether the surface is a mesh that keeps its vertices and triangles while it moves. Such a
+  /// tracker serves displace, remodel and improve, and no other does.
+  virtual bool keeps_triangles() const { return false; }
+
+  /// Moves the surface along u from time() to time() + dt.
   /// \throw InvalidInput if u leads out of the finite numbers or of what the method can hold
   virtual void advect(const VelocityField& u, double dt) = 0;
 
-  /// What the method else does every few steps, now: before a measurement, or at a frame's end.
-  virtual void settle() = 0;
+  /// Gives every vertex a new position, in the order of surface().positions, and adds dt to time().
+  /// \throw InvalidInput as Tracker::displace, and unless keeps_triangles()
+  virtual void displace(std::vector<Point> positions, double dt = 0);
 
-  /// The surface, closed and oriented outwards; empty where nothing is left. Contoured when it is
-  /// first asked for; the reference holds until the next advect or settle.
+  /// Changes the topology where that is due, as Tracker::remodel.
+  /// \throw InvalidInput as that, and unless keeps_triangles()
+  virtual SurgeryReport remodel();
+
+  /// Improves the triangles, as Tracker::improve. \throw as that, and InvalidInput unless
+  /// keeps_triangles()
+  virtual QualityReport improve();
+
+  /// Ends a frame: the method does now what it else does only every few steps, such as making its
+  /// values distances again. A mesh has nothing of the kind.
+  virtual void end_of_frame() = 0;
+
+  /// The surface, closed and oriented outwards; empty where nothing is left. A baseline contours it
+  /// when it is first asked for. The reference holds until the next call that changes the surface.
   virtual const Triangles& surface() = 0;
 
-  /// Signed distance at p, negative inside; methods with a band give ± its width beyond it. The
+  /// Signed distance at p, negative inside; a method with a band gives ± its width beyond it. The
   /// first question since the surface moved may prepare something; then any number of threads may
   /// ask. \pre the surface is not empty
   virtual double distance(const Point& p) = 0;
 
-  /// Who is told of remodels and improvements from now on, where the method has these; null:
-  /// nobody.
-  virtual void watch(StepWatcher* /*watcher*/) {}
-
-  /// Whether advect moves vertices and leaves the triangles as they are.
-  virtual bool keeps_triangles() const { return false; }
-
-  /// Gives every vertex a new position, in the order of surface().positions, at the time it is.
-  /// \pre keeps_triangles() \throw InvalidInput as Tracker::displace
-  virtual void displace(std::vector<Point> /*positions*/) {}
-
+  /// The sum of every dt so far.
   virtual double time() const = 0;
   virtual TrackerCost cost() const = 0;
 };

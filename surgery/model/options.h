@@ -1,8 +1,6 @@
 // Everything a user can choose about the tracker, with its default and its reason.
 #pragma once
 
-#include <filesystem>
-
 #include "kernel/triangles.h"
 #include "predicates/oracle.h"
 
@@ -76,8 +74,6 @@ struct TrackerOptions {
   double jitter = 1e-6;
   double straighten_turn = 60;  ///< degrees: the most a normal may turn when a type 2 vertex goes
   QualityOptions quality{};
-  std::filesystem::path
-      reproducers{};  ///< folder for meshes of failed surgeries; empty: none is saved
 };
 
 }  // namespace suture

@@ -38,8 +38,7 @@ struct CollapseCounts {
 
 struct SurgeryReport {
   Outcome outcome = Outcome::unchanged;
-  std::string failure;     ///< why it was refused
-  std::string reproducer;  ///< file that holds the mesh of a refused surgery
+  std::string failure;  ///< why it was refused
 
   std::size_t crossings = 0;  ///< mesh edges × planes and triangles × lattice lines
   std::size_t surface_cells = 0, complex_cells = 0;

@@ -9,7 +9,7 @@
 #include <map>
 
 #include "kernel/random.h"
-#include "sims/driver/stepper.h"
+#include "sims/driver/scene_steps.h"
 #include "tests/models.h"
 #include "tests/paths.h"
 #include "tests/surgery/support.h"
@@ -86,10 +86,10 @@ Input fed_back() {
 
 Input late_curl_noise() {
   Scene scene = read_scene(std::filesystem::path(source_dir()) / "data/scenes/curl_noise.toml");
-  Stepper stepper(scene, scene.tracker);
+  SceneSteps steps(scene);
   StepWatcher nobody;
-  for (std::int64_t i = 1; i <= 120; ++i) stepper.step(i, nobody);
-  return {"curl noise, step 120", stepper.tracker().surface(), scene.tracker};
+  while (steps.index() < 120) steps.step(nobody);
+  return {"curl noise, step 120", steps.surface(), scene.tracker};
 }
 
 std::vector<Input> inputs() {

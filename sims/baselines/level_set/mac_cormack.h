@@ -3,13 +3,12 @@
 
 #include "sims/baselines/grid/level_set_grid.h"
 #include "sims/baselines/grid/paths.h"
-#include "sims/baselines/level_set/level_set.h"
+#include "sims/baselines/level_set/level_set_options.h"
 
 namespace suture::sims {
 
 struct MacCormackStep {
-  double time = 0, dt = 0;
-  int trace_order = 2;
+  PathStep path;
   Limiter limiter = Limiter::clamp;
 };
 

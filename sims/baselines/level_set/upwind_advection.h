@@ -3,7 +3,7 @@
 
 #include "sims/baselines/grid/level_set_grid.h"
 #include "sims/baselines/grid/paths.h"
-#include "sims/baselines/level_set/level_set.h"
+#include "sims/baselines/level_set/level_set_options.h"
 
 namespace suture::sims {
 

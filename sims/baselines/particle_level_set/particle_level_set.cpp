@@ -60,12 +60,13 @@ class ParticleLevelSet : public SurfaceTracker {
   void advect(const VelocityField& u, double dt) override {
     const GridVelocity velocity{u, frame_.origin, frame_.cell_size};
     std::vector<Marker> markers = markers_;
-    timed(particles_seconds_,
-          [&] { carry(markers, velocity, time_, dt, options_.particle_order); });
+    timed(particles_seconds_, [&] {
+      carry(markers, velocity, {time_, dt, options_.particle_order});
+    });
     timed(level_set_seconds_, [&] {
       set_ = weno() ? weno_advected(set_, velocity, {time_, dt, around(markers)})
                     : semi_lagrangian(set_, velocity,
-                                      {time_, dt, options_.trace_order, around(markers)});
+                                      {{time_, dt, options_.trace_order}, around(markers)});
     });
     markers_ = std::move(markers);
     surface_.reset();
@@ -81,7 +82,7 @@ class ParticleLevelSet : public SurfaceTracker {
   }
 
   /// Re-initialises; re-seeding does not change the surface and stays in its rhythm.
-  void settle() override {
+  void end_of_frame() override {
     if (distances_ || options_.reinitialise_every == 0) return;
     surface_.reset();
     reinitialise();

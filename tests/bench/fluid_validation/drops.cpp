@@ -38,7 +38,7 @@ Triangles bent(double radius, double edge) {
 /// is left of its amplitude where it turns.
 void swing(Rows& rows, double radius, double edge, std::size_t most_zeros) {
   const Triangles start = bent(radius, edge);
-  Run run(start, edge, drop_options(), at_rest, kNoMerges);
+  Run run(start, edge, drop_options(), at_rest, kMarkers);
   const double period = drop_period(radius), whole = bend(start, radius);
   const int steps = run.fluid.steps_in(period);
   double before = whole, turned = 0;
@@ -46,6 +46,7 @@ void swing(Rows& rows, double radius, double edge, std::size_t most_zeros) {
   rows.add("_bend", radius, 0, 1, 1);
   for (int i = 1; i <= steps && zeros.size() < most_zeros; ++i) {
     run.fluid.step(*run.surface, period / steps);
+    run.surface->improve();
     const double now = bend(run.surface->surface(), radius);
     if (before * now < 0) zeros.push_back((i - now / (now - before)) / steps * period);
     if (i % std::max(1, steps / 40) == 0 || zeros.size() == most_zeros)
@@ -77,11 +78,12 @@ void currents(Rows& rows) {
   for (const double radius : {4.0, 6.0, 8.0, 12.0, 16.0}) {
     rows.restart();
     const double time = drop_period(radius) / 2, speed = std::sqrt(1 / radius);
-    Run run(remodelled(radius, 0.8), 0.8, drop_options(), at_rest, kNoMerges);
+    Run run(remodelled(radius, 0.8), 0.8, drop_options(), at_rest, kMarkers);
     const int steps = run.fluid.steps_in(time);
     double most = 0;
     for (int i = 0; i < steps; ++i) {
       run.fluid.step(*run.surface, time / steps);
+      run.surface->improve();
       most = std::max(most, run.fastest());
     }
     rows.add("_most", radius, time, most / speed, 0);

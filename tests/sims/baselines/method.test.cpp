@@ -1,16 +1,10 @@
 #include "sims/baselines/method.h"
 
-#include <tbb/global_control.h>
-
 #include <catch2/catch.hpp>
 
-#include "kernel/audit.h"
 #include "kernel/errors.h"
-#include "kernel/measure/measures.h"
-#include "sims/driver/method_stepper.h"
-#include "sims/driver/run.h"
 #include "sims/scene/scene.h"
-#include "tests/sims/cli/program.h"
+#include "tests/sims/balls.h"
 
 using namespace suture;
 using namespace suture::sims;
@@ -18,97 +12,60 @@ using Catch::Matchers::Contains;
 
 namespace {
 
-const char* const kAll[] = {"mesh",      "mesh_without_topology", "markers",
-                            "level_set", "particle_level_set",    "semi_lagrangian_contouring"};
-
-std::string text(const std::string& method, const std::string& motion = "kind = \"rotation\"") {
-  return "[[bodies]]\nshape = \"sphere\"\nparameters = { frequency = 6, x = 0.4 }\n[motion]\n" +
-         motion + "\n[tracker]\ncell_size = 0.25\norigin = [0.1, 0.2, 0.3]\n[method]\n" + method +
-         "\n[time]\nstep = 0.1\nend = 0.5\n";
-}
-
-Scene scene_of(const std::string& toml) { return parse_scene(toml, "scene.toml"); }
-
-std::string kind(const std::string& name) { return "kind = \"" + name + "\""; }
-
-/// Surfaces after a few steps.
-Triangles end_of(const std::string& name) {
-  Scene scene = scene_of(text(kind(name)));
-  MethodStepper stepper(scene);
-  StepWatcher nobody;
-  for (int i = 1; i <= 5; ++i) stepper.step(i, nobody);
-  return stepper.surface();
+Scene scene_of(const std::string& method) {
+  return parse_scene(
+      "[[bodies]]\nshape = \"sphere\"\n[motion]\nkind = \"rotation\"\n[tracker]\n"
+      "cell_size = 0.25\norigin = [0.1, 0.2, 0.3]\n[method]\n" +
+          method + "\n[time]\nstep = 0.1\nend = 0.5\n",
+      "scene.toml");
 }
 
 }  // namespace
 
-TEST_CASE("a scene's method is one word, and each carries a ball round as a closed manifold") {
-  for (const char* const name : kAll) {
-    INFO(name);
-    const Scene start = scene_of(text(kind(name)));
-    CHECK(method_name(start.method.kind) == std::string(name));
-    const Triangles end = end_of(name);
-    CHECK(audit(end).closed_manifold());
-    // Four cells a radius: contouring loses 8 %, the particle level set 19 %, the others 2 %.
-    CHECK(volume(end) == Approx(volume(start.surface)).epsilon(0.25));
-    CHECK(components(end).count == 1);
-  }
-  CHECK(scene_of(text("")).method.kind == MethodKind::mesh);
-}
-
-TEST_CASE("a method's surface is the same to the last bit on one thread and on many") {
-  for (const char* const name : {"level_set", "particle_level_set", "semi_lagrangian_contouring"}) {
-    INFO(name);
-    const Triangles many = end_of(name);
-    const tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
-    CHECK(same_bits(end_of(name), many));
-  }
-}
-
 TEST_CASE("a method takes its lattice from the tracker, and its own keys from its table") {
   const MethodOptions level_set =
-      scene_of(text("kind = \"level_set\"\nadvection = \"mac_cormack\"\nrenormalise_every = 7"))
-          .method;
+      scene_of("kind = \"level_set\"\nadvection = \"mac_cormack\"\nrenormalise_every = 7").method;
   CHECK(level_set.level_set.cell_size == 0.25);
   CHECK(level_set.level_set.origin == Point(0.1, 0.2, 0.3));
   CHECK(level_set.level_set.advection == Advection::mac_cormack);
   CHECK(level_set.level_set.renormalise.every == 7);
   const MethodOptions contouring =
-      scene_of(text("kind = \"semi_lagrangian_contouring\"\ncell_size = 0.5")).method;
+      scene_of("kind = \"semi_lagrangian_contouring\"\ncell_size = 0.5").method;
   CHECK(contouring.contouring.cell_size == 0.5);
 }
 
 TEST_CASE("a method's unknown words and keys are refused") {
-  CHECK_THROWS_WITH(scene_of(text("kind = \"levelset\"")), Contains("level_set"));
-  CHECK_THROWS_WITH(scene_of(text("kind = \"mesh\"\ncell_size = 1")), Contains("cell_size"));
-  CHECK_THROWS_WITH(scene_of(text("kind = \"level_set\"\nhalf_width = 0")), Contains("half_width"));
-  CHECK_THROWS_WITH(scene_of(text("kind = \"semi_lagrangian_contouring\"\nhalf_width = 3")),
+  CHECK_THROWS_WITH(scene_of("kind = \"levelset\""), Contains("level_set"));
+  CHECK_THROWS_WITH(scene_of("kind = \"mesh\"\ncell_size = 1"), Contains("cell_size"));
+  CHECK_THROWS_WITH(scene_of("kind = \"level_set\"\nhalf_width = 0"), Contains("half_width"));
+  CHECK_THROWS_WITH(scene_of("kind = \"semi_lagrangian_contouring\"\nhalf_width = 3"),
                     Contains("half_width"));
 }
 
-TEST_CASE("only meshes follow motions that are no velocity field") {
-  for (const char* const name : kAll) {
-    INFO(name);
-    Scene scene = scene_of(text(kind(name), "kind = \"mean_curvature\""));
-    if (scene.method.is_mesh())
-      CHECK_NOTHROW(make_surface_tracker(scene));
-    else
-      CHECK_THROWS_WITH(make_surface_tracker(scene), Contains("velocity field"));
+TEST_CASE("a mesh is no baseline") {
+  for (const MethodKind kind :
+       {MethodKind::mesh, MethodKind::mesh_without_topology, MethodKind::markers}) {
+    MethodOptions method;
+    method.kind = kind;
+    CHECK_THROWS_WITH(make_baseline(subdivided_ball(1, 1), method), Contains(method_name(kind)));
   }
 }
 
-TEST_CASE("what needs the tracker's mesh says so when a scene has another method") {
-  Scene scene = scene_of(text(kind("level_set")));
-  CHECK_THROWS_WITH(Stepper(scene, scene.tracker), Contains("level_set"));
-}
-
-TEST_CASE("a scene of a rival runs, and its report tells the method and its cost") {
-  const Folder folder;
-  Scene scene = scene_of(text(kind("level_set") + "\n[meshes]\nevery = 5"));
-  const RunSummary summary = run(scene, folder / "out");
-  CHECK(summary.steps == 5);
-  CHECK(summary.audit.closed_manifold());
-  CHECK(summary.meshes == 2);
-  const std::string report = contents(folder / "out/report.json");
-  CHECK_THAT(report, Contains("\"method\": \"level_set\"") && Contains("\"substeps\""));
+TEST_CASE("a baseline refuses what only a mesh can do, and is as it was") {
+  for (const MethodKind kind : {MethodKind::level_set, MethodKind::particle_level_set,
+                                MethodKind::semi_lagrangian_contouring}) {
+    MethodOptions method;
+    method.kind = kind;
+    method.level_set.cell_size = method.particle_level_set.cell_size = method.contouring.cell_size =
+        0.25;
+    const auto tracker = make_baseline(subdivided_ball(3, 1), method);
+    INFO(method_name(kind));
+    const Triangles before = tracker->surface();
+    CHECK_FALSE(tracker->keeps_triangles());
+    CHECK_THROWS_WITH(tracker->displace(before.positions, 0.1), Contains("displaced"));
+    CHECK_THROWS_WITH(tracker->remodel(), Contains("remodelled"));
+    CHECK_THROWS_WITH(tracker->improve(), Contains("improved"));
+    CHECK(same_bits(tracker->surface(), before));
+    CHECK(tracker->time() == 0);
+  }
 }

@@ -9,7 +9,6 @@
 #include "sims/flows/fields.h"
 #include "sims/flows/mean_curvature.h"
 #include "sims/flows/normal_flow.h"
-#include "sims/flows/vertex_values.h"
 #include "surgery/advect.h"
 #include "tests/sims/balls.h"
 
@@ -230,13 +229,4 @@ TEST_CASE("what is one component comes to move with its mean velocity") {
   motion->advance(tracker, 1);
   for (std::size_t v = 0; v < ball.positions.size(); ++v)
     CHECK((tracker.surface().positions[v] - ball.positions[v] - Point(0, 0.5, 0)).norm() < 1e-9);
-}
-
-TEST_CASE("values are carried to where vertices went and spread to new ones") {
-  const Triangles ball = subdivided_ball(0, 1);  // an octahedron
-  const std::vector<double> old_values = {4, 8, 1};
-  const std::vector<std::uint32_t> map = {0, 0, kNone};
-  const std::vector<double> values = carried(old_values, 0.0, ball, map);
-  for (const double value : values) CHECK(value == 6);
-  CHECK(carried(std::vector<double>(6, 2.0), 0.0, ball, {}) == std::vector<double>(6, 2.0));
 }

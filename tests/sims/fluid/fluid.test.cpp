@@ -10,7 +10,7 @@
 #include "kernel/measure/measures.h"
 #include "kernel/shapes/shapes.h"
 #include "kernel/shapes/transform.h"
-#include "sims/fluid/frame.h"
+#include "sims/driver/driver.h"
 #include "sims/tracking/mesh_tracker.h"
 
 using namespace suture;
@@ -26,16 +26,16 @@ Fluid::Initial at_rest() {
 std::unique_ptr<SurfaceTracker> markers(const Triangles& surface, double cell) {
   TrackerOptions options;
   options.cell_size = cell;
-  return make_mesh_tracker(surface, options, {0, 0});
+  return make_mesh_tracker(surface, options);
 }
 
-/// Remodelled and improved at settle().
+/// For a driver that remodels and improves it.
 std::unique_ptr<SurfaceTracker> tracked(const Triangles& surface, double cell) {
   TrackerOptions options;
   options.cell_size = cell;
   options.origin = Point(0.011, 0.013, 0.007) * cell;
   options.quality.keep_features = false;
-  return make_mesh_tracker(surface, options, {kWhenItSettles, kWhenItSettles});
+  return make_mesh_tracker(surface, options);
 }
 
 SolidOptions container(const Point& low, const Point& high) {
@@ -141,11 +141,11 @@ TEST_CASE("a dam breaks, stays closed and in its tank, and keeps its volume and 
   tank.water = box({.centre = {0.2, 0.25, 0.25}, .size = {0.4, 0.5, 0.5}, .edge_length = 1.0 / 16});
   Fluid fluid(tank.options, at_rest());
   const auto surface = tracked(tank.water, 1.0 / 16);
+  Driver driver(*surface, fluid, {1, 1, 1});
+  StepWatcher nobody;
   double front = 0, energy = 0;
   for (int frame = 0; frame < 20; ++frame) {
-    const int steps = fluid.steps_in(0.02);
-    for (int i = 0; i < steps; ++i) fluid.step(*surface, 0.02 / steps);
-    settle(fluid, *surface);
+    driver.frame(fluid.time() + 0.02, nobody);
     REQUIRE(audit(surface->surface()).closed_manifold());
     const LiquidMeasures now = fluid.measures();
     if (frame == 0) energy = now.kinetic_energy + now.potential_energy;

@@ -4,7 +4,8 @@
 #include "kernel/parallel.h"
 #include "kernel/shapes/shapes.h"
 #include "sims/baselines/level_set/level_set.h"
-#include "sims/fluid/frame.h"
+#include "sims/driver/driver.h"
+#include "sims/fluid/fluid.h"
 #include "sims/tracking/mesh_tracker.h"
 #include "tests/sims/fluid/watched.h"
 
@@ -25,7 +26,7 @@ std::unique_ptr<SurfaceTracker> tracked(bool mesh, const Triangles& liquid, doub
   o.cell_size = cell;
   o.origin = origin;
   o.quality.keep_features = false;
-  return make_mesh_tracker(liquid, o, {kWhenItSettles, kWhenItSettles});
+  return make_mesh_tracker(liquid, o);
 }
 
 Triangles dam_after(int frames, int threads, bool mesh) {
@@ -36,10 +37,9 @@ Triangles dam_after(int frames, int threads, bool mesh) {
   o.surface_tension = 0.07;
   Fluid fluid(o, [](const Point&) -> Point { return Point::Zero(); });
   const auto surface = tracked(mesh, column(), o.cell_size);
-  for (int i = 1; i <= frames; ++i) {
-    run_frame(fluid, *surface, 0.05 * i, o.most_steps, true, {});
-    settle(fluid, *surface);
-  }
+  Driver driver(*surface, fluid, {mesh ? 1 : 0, mesh ? 1 : 0, 1});
+  StepWatcher nobody;
+  for (int i = 1; i <= frames; ++i) driver.frame(0.05 * i, nobody);
   return surface->surface();
 }
 

@@ -9,7 +9,8 @@
 #include "kernel/measure/measures.h"
 #include "kernel/shapes/shapes.h"
 #include "kernel/shapes/transform.h"
-#include "sims/fluid/frame.h"
+#include "sims/driver/driver.h"
+#include "sims/fluid/fluid.h"
 #include "sims/tracking/mesh_tracker.h"
 #include "tests/sims/fluid/blobs.h"
 #include "tests/sims/fluid/drops.h"
@@ -18,9 +19,8 @@ namespace suture {
 
 using namespace suture::sims;
 
-/// How the mesh is looked after: never, at the end of each frame, or improved at each step.
-inline constexpr MeshSchedule kMarkers{0, 0}, kPerFrame{kWhenItSettles, kWhenItSettles},
-    kNoMerges{0, 1};
+/// How the mesh is looked after: never, or at the end of each frame.
+inline constexpr Schedule kMarkers{0, 0, 0}, kPerFrame{1, 1, 1};
 
 inline Point at_rest(const Point&) { return Point::Zero(); }
 
@@ -43,21 +43,21 @@ inline Triangles block(const Point& low, const Point& high, double edge) {
 struct Run {
   std::unique_ptr<SurfaceTracker> surface;
   Fluid fluid;
+  Schedule schedule;
 
   Run(const Triangles& start, double cell, const FluidOptions& options, Fluid::Initial initial,
-      const MeshSchedule& schedule)
-      : fluid(options, std::move(initial)) {
+      const Schedule& looked_after)
+      : fluid(options, std::move(initial)), schedule(looked_after) {
     TrackerOptions tracker;
     tracker.cell_size = cell;
     tracker.origin = Point(0.011, 0.013, 0.007) * cell;
     tracker.quality.keep_features = false;
     tracker.quality.subdivision = Subdivision::fitted;
-    surface = make_mesh_tracker(start, tracker, schedule);
+    surface = make_mesh_tracker(start, tracker);
   }
   void frame(double dt) {
-    const int steps = fluid.steps_in(dt);
-    for (int i = 0; i < steps; ++i) fluid.step(*surface, dt / steps);
-    settle(fluid, *surface);
+    StepWatcher nobody;
+    Driver(*surface, fluid, schedule).frame(fluid.time() + dt, nobody);
   }
   const std::vector<Point>& points() { return surface->surface().positions; }
   double volume() { return suture::volume(surface->surface()); }

@@ -8,7 +8,8 @@
 #include "kernel/measure/measures.h"
 #include "kernel/shapes/shapes.h"
 #include "kernel/shapes/transform.h"
-#include "sims/fluid/frame.h"
+#include "sims/driver/driver.h"
+#include "sims/fluid/fluid.h"
 #include "sims/tracking/mesh_tracker.h"
 
 namespace suture {
@@ -48,13 +49,12 @@ inline Triangles ball_of(double radius, const Point& centre = {0.5, 0.5, 0.25}) 
 }
 
 /// Runs frame by frame; each surgery has to leave a closed manifold of finite numbers.
-struct Watched {
+struct Watched : StepWatcher {
   std::unique_ptr<SurfaceTracker> surface;
   Fluid fluid;
   double start;            ///< volume
   double most_energy = 0;  ///< kinetic and potential, of ends of frames
   double fastest = 0;
-  int most_steps;
   int frames = 0, steps = 0;
 
   /// `finer`: cells of the surface's lattice in one of the grid.
@@ -65,21 +65,22 @@ struct Watched {
 
   Watched(const Triangles& liquid, const FluidOptions& options, Fluid::Initial initial,
           double finer = 1)
-      : fluid(options, std::move(initial)), start(volume(liquid)), most_steps(options.most_steps) {
+      : fluid(options, std::move(initial)), start(volume(liquid)) {
     TrackerOptions tracker;
     tracker.cell_size = options.cell_size / finer;
     tracker.origin = Point(0.011, 0.013, 0.007) * options.cell_size;
     tracker.quality.keep_features = false;
-    surface = make_mesh_tracker(liquid, tracker, {kWhenItSettles, kWhenItSettles});
+    surface = make_mesh_tracker(liquid, tracker);
   }
 
   void run(int count, double dt) {
+    Driver driver(*surface, fluid, {1, 1, 1});
     for (int i = 0; i < count; ++i, ++frames) {
-      run_frame(fluid, *surface, fluid.time() + dt, most_steps, true, [&](double) { ++steps; });
-      settle(fluid, *surface);
+      driver.frame(fluid.time() + dt, *this);
       look();
     }
   }
+  void moved(double /*dt*/) override { ++steps; }
   void look() {
     const Audit found = audit(surface->surface());
     CAPTURE(frames, found.first);

@@ -75,7 +75,7 @@ TEST_CASE("a level set starts with distances, and is one again after re-normalis
     };
     for (int i = 0; i < 10; ++i) tracker->advect(u, 0.05);
     CHECK(worst_gradient(*tracker, {0, 0, 0}, 0.1, 0.15) > 0.3);
-    tracker->settle();
+    tracker->end_of_frame();
     CHECK(worst_gradient(*tracker, {0, 0, 0}, 0.1, 0.15) < 0.06);
     CHECK(mean_error(*tracker, {0, 0, 0}) < 0.01);
   }
@@ -139,7 +139,7 @@ TEST_CASE("a level set that is re-normalised every few sub-steps, or never, keep
       const double before = volume(tracker->surface());
       for (int i = 0; i < 10; ++i)
         tracker->advect([](const Point&, double) { return Point(1, 0.5, 0); }, 0.15);
-      tracker->settle();
+      tracker->end_of_frame();
       CHECK(audit(tracker->surface()).closed_manifold());
       CHECK(volume(tracker->surface()) == Approx(before).epsilon(0.01));
       CHECK(mean_error(*tracker, {1.5, 0.75, 0}) < 0.02);

@@ -156,7 +156,7 @@ TEST_CASE("a body that vanishes leaves an empty surface, and time goes on") {
       sphere({.centre = {0.05, 0.05, 0.05}, .radius = 0.02, .edge_length = 0.01}), options(0.1));
   CHECK(speck->surface().triangles.empty());
   speck->advect(kAlong, 1);
-  speck->settle();
+  speck->end_of_frame();
   CHECK(speck->surface().triangles.empty());
   CHECK(speck->time() == 1);
 

@@ -1,5 +1,5 @@
 // The motions by name, with their parameters and the ranges these may have.
-#include "sims/flows/motion.h"
+#include "sims/flows/motions.h"
 
 #include <array>
 
@@ -15,8 +15,10 @@ namespace {
 class FieldMotion : public Motion {
  public:
   explicit FieldMotion(VelocityField field) : field_(std::move(field)) {}
-  void advance(Tracker& tracker, double dt) override { tracker.advect(field_, dt); }
   const VelocityField* field() const override { return &field_; }
+  std::vector<Point> positions(const Triangles&, double) override {
+    throw InternalFailure("motion", "a velocity field was asked for positions");
+  }
 
  private:
   VelocityField field_;
@@ -27,8 +29,8 @@ class SurfaceMotion : public Motion {
  public:
   using Step = std::function<std::vector<Point>(const Triangles&, double dt)>;
   explicit SurfaceMotion(Step step) : step_(std::move(step)) {}
-  void advance(Tracker& tracker, double dt) override {
-    tracker.displace(step_(tracker.surface(), dt), dt);
+  std::vector<Point> positions(const Triangles& surface, double dt) override {
+    return step_(surface, dt);
   }
 
  private:
@@ -46,7 +48,8 @@ MotionPtr make_rest(Keys&, const Velocities&) {
 /// A field as a motion; with the key `reversal` all is back in place at that time.
 MotionPtr make_field(Keys& keys, VelocityField field) {
   const double time = keys.number("reversal", Range::at_least(0), 0);
-  return make_field_motion(time > 0 ? reversed(std::move(field), time) : std::move(field));
+  return std::make_unique<FieldMotion>(time > 0 ? reversed(std::move(field), time)
+                                                : std::move(field));
 }
 
 MotionPtr make_translation(Keys& keys, const Velocities&) {
@@ -69,7 +72,7 @@ MotionPtr make_enright(Keys& keys, const Velocities&) {
   EnrightParameters p;
   p.variant = keys.choice("variant", variants, p.variant);
   p.period = keys.number("period", Range::above(0), p.period);
-  return make_field_motion(enright(p));
+  return std::make_unique<FieldMotion>(enright(p));
 }
 
 MotionPtr make_curl_noise(Keys& keys, const Velocities&) {
@@ -138,10 +141,6 @@ constexpr std::array<Maker, 11> kMakers = {{{"bodies", make_bodies},
                                             {"vortex", make_vortex}}};
 
 }  // namespace
-
-std::unique_ptr<Motion> make_field_motion(VelocityField field) {
-  return std::make_unique<FieldMotion>(std::move(field));
-}
 
 std::vector<std::string> motion_names() {
   std::vector<std::string> names;
