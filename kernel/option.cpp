@@ -99,7 +99,8 @@ Value times_power(Value value, int exponent) {
 
 std::string Range::words() const {
   if (std::isfinite(low) && std::isfinite(high))
-    return "from " + shortest(low) + " to " + shortest(high);
+    return (open ? "above " : "from ") + shortest(low) + (open ? ", at most " : " to ") +
+           shortest(high);
   if (std::isfinite(low)) return (open ? "above " : "at least ") + shortest(low);
   return "any finite number";
 }

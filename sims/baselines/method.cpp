@@ -2,6 +2,9 @@
 #include "sims/baselines/method.h"
 
 #include "kernel/errors.h"
+#include "sims/baselines/contouring/semi_lagrangian_contouring.h"
+#include "sims/baselines/level_set/level_set.h"
+#include "sims/baselines/particle_level_set/particle_level_set.h"
 
 namespace suture::sims {
 

@@ -1,44 +1,12 @@
-// The ways to track a surface that a scene can name, with their options.
+// Whichever baseline a method names, begun with a surface.
 #pragma once
 
 #include <memory>
 
-#include "sims/baselines/contouring/semi_lagrangian_contouring.h"
-#include "sims/baselines/level_set/level_set.h"
-#include "sims/baselines/particle_level_set/particle_level_set.h"
-#include "sims/support/keys.h"
+#include "sims/baselines/method_options.h"
+#include "sims/tracking/surface_tracker.h"
 
 namespace suture::sims {
-
-enum class MethodKind {
-  mesh,                   ///< the tracker, with all that the scene says of it
-  mesh_without_topology,  ///< improved as the scene says, never remodelled [§9]
-  markers,                ///< neither: vertices carried by RK4
-  level_set,
-  particle_level_set,
-  semi_lagrangian_contouring
-};
-
-/// What the table [method] of a scene says; only the options of its kind mean anything.
-struct MethodOptions {
-  MethodKind kind = MethodKind::mesh;
-  LevelSetOptions level_set;
-  ParticleLevelSetOptions particle_level_set;
-  ContouringOptions contouring;
-
-  /// Whether it is the tracker's mesh, looked after or not.
-  bool is_mesh() const {
-    return kind == MethodKind::mesh || kind == MethodKind::mesh_without_topology ||
-           kind == MethodKind::markers;
-  }
-};
-
-/// The word by which scenes name it.
-const char* method_name(MethodKind kind);
-
-/// Reads [method], which may hold the keys of its kind and nothing else; cells and origin are the
-/// tracker's where it does not say. \throw InvalidInput with the key and what is allowed
-MethodOptions read_method(Keys keys, const TrackerOptions& tracker);
 
 /// The baseline that the method names, begun with `surface`. \throw InvalidInput if the method is a
 /// mesh, or refuses its options or the surface

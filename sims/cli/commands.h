@@ -17,5 +17,6 @@ void add_fuzz(CLI::App& app, int& exit);
 void add_trade(CLI::App& app, int& exit);
 void add_draw(CLI::App& app, int& exit);
 void add_measure(CLI::App& app, int& exit);
+void add_keys(CLI::App& app, int& exit);
 
 }  // namespace suture::sims

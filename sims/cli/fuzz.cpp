@@ -14,8 +14,8 @@
 #include "sims/fuzz/case_maker.h"
 #include "sims/fuzz/corpus.h"
 #include "sims/fuzz/execute.h"
-#include "sims/scene/option_names.h"
 #include "sims/support/version.h"
+#include "surgery/model/option_table.h"
 
 namespace suture::sims {
 namespace {
@@ -25,8 +25,7 @@ namespace fs = std::filesystem;
 struct Settings {
   CampaignOptions campaign;
   CaseOptions cases;
-  Collapse collapse = Collapse::straighten;
-  double jitter = TrackerOptions{}.jitter;
+  TrackerOptions tracker;  ///< of all cases, where flags say so
   std::string oracles = "sampled";
   std::vector<std::string> replay, merge;
   std::uint64_t show = 0;
@@ -58,10 +57,14 @@ class FuzzProgress {
   bool drawn_ = false;
 };
 
-template <class T, std::size_t N>
-std::string word_of(T value, const std::array<Named<T>, N>& names) {
-  for (const Named<T>& named : names)
-    if (named.value == value) return named.name;
+/// The word for the option called `name`.
+std::string word_of(const TrackerOptions& options, const std::string& name) {
+  return in_words(*tracker_options().row(name).field.get(options));
+}
+
+std::string profile_name(Profile profile) {
+  for (const auto& named : kProfileNames)
+    if (named.value == profile) return named.name;
   return {};
 }
 
@@ -106,11 +109,11 @@ int run_cases(const Settings& s) {
         });
   }
   summary.settings = {kVersion,
-                      word_of(s.cases.profile, kProfileNames),
-                      word_of(s.cases.arithmetic, kArithmeticNames),
-                      s.cases.collapse ? word_of(*s.cases.collapse, kCollapseNames) : "any",
+                      profile_name(s.cases.profile),
+                      word_of(s.tracker, "arithmetic"),
+                      s.cases.collapse ? word_of(s.tracker, "collapse") : "any",
                       s.oracles,
-                      s.cases.arithmetic == Arithmetic::rounded ? s.jitter : 0};
+                      s.cases.arithmetic == Arithmetic::rounded ? s.tracker.jitter : 0};
   if (!s.corpus.empty())
     save_failures(summary, s.corpus, oracles, s.limits,
                   [&](std::uint64_t seed) { return make_case(seed, s.cases); });
@@ -152,8 +155,9 @@ int merge_files(const Settings& s) {
 }
 
 int fuzz(Settings s, const CLI::App& command) {
-  if (command.count("--collapse") != 0) s.cases.collapse = s.collapse;
-  if (command.count("--jitter") != 0) s.cases.jitter = s.jitter;
+  s.cases.arithmetic = s.tracker.arithmetic;
+  if (command.count("--collapse") != 0) s.cases.collapse = s.tracker.collapse;
+  if (command.count("--jitter") != 0) s.cases.jitter = s.tracker.jitter;
   if (!s.merge.empty()) return merge_files(s);
   if (!s.replay.empty()) return replay(s, command);
   if (command.count("--show") != 0) return show(s);
@@ -179,15 +183,14 @@ void add_campaign_options(CLI::App& command, Settings& s) {
       ->type_name("T");
   add_choice(command, "--profile", s.cases.profile, kProfileNames,
              "Cases: random, hostile, fed_back, or all (the default)");
-  add_choice(command, "--arithmetic", s.cases.arithmetic, kArithmeticNames,
-             "Of all cases: filtered (the default) or another");
-  add_choice(command, "--collapse", s.collapse, kCollapseNames,
-             "Of all cases; else the seed decides");
-  command
-      .add_option("--jitter", s.jitter,
-                  "With --arithmetic rounded: vertices move by up to this part of a cell")
-      ->capture_default_str()
-      ->type_name("X");
+  add_option_flags(command, tracker_options(), s.tracker,
+                   {{"--arithmetic", "arithmetic"}, {"--jitter", "jitter"}});
+  OptionInfo collapse = tracker_options().row("collapse").about;
+  collapse.meaning += "; else the seed decides";
+  collapse.usual.reset();
+  add_option_flag(command, "--collapse", collapse, [&s](const Value& value) {
+    set(s.tracker, tracker_options(), "collapse", value);
+  });
   command
       .add_option("--oracles", s.oracles,
                   "sampled (fast ones always, others on one seed in 64), fast, all, or names")

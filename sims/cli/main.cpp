@@ -34,6 +34,7 @@ int run_program(int argc, char** argv) {
     add_trade(app, exit);
     add_draw(app, exit);
     add_measure(app, exit);
+    add_keys(app, exit);
     try {
       app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {

@@ -13,11 +13,11 @@
 #include "sims/cli/choices.h"
 #include "sims/cli/commands.h"
 #include "sims/cli/inputs.h"
-#include "sims/tracking/vertex_values.h"
 #include "sims/output/colours.h"
 #include "sims/output/render.h"
 #include "sims/output/report_json.h"
-#include "sims/scene/option_names.h"
+#include "sims/tracking/vertex_values.h"
+#include "surgery/model/option_table.h"
 #include "surgery/tracker.h"
 
 namespace suture::sims {
@@ -28,18 +28,12 @@ namespace fs = std::filesystem;
 struct Settings {
   Inputs inputs;
   fs::path out, report, picture;
-  double cell_size = 0, cells = 0;
-  std::vector<double> origin;
+  double cells = 0;
   TrackerOptions tracker;
 };
 
 double checked_cell_size(const Settings& s, const CLI::App& command, const Triangles& surface) {
-  if (command.count("--cell") != 0) {
-    if (!std::isfinite(s.cell_size) || !(s.cell_size > 0))
-      throw InvalidInput(fmt::format(
-          "--cell is {}; give the edge of a cell, a finite length above zero", s.cell_size));
-    return s.cell_size;
-  }
+  if (command.count("--cell") != 0) return s.tracker.cell_size;
   if (!(s.cells >= 1) || !(s.cells <= kMaxPlanes) || s.cells != std::floor(s.cells))
     throw InvalidInput(
         fmt::format("--cells is {}; give a whole number from 1 to {}: the cells "
@@ -76,8 +70,6 @@ void check_options(const Settings& s) {
   if (!s.report.empty()) require_folder_of(s.report);
   if (!s.picture.empty()) require_writable_picture(s.picture);
   check_paths(s);
-  if (s.tracker.depth < 0)
-    throw InvalidInput(fmt::format("--depth is {}; give 0 or more whole cells", s.tracker.depth));
 }
 
 /// The remodel itself; whatever goes wrong inside leaves the input beside the output.
@@ -117,8 +109,6 @@ void resolve(Settings s, const CLI::App& command) {
   check_options(s);
   const Triangles input = read_union(s.inputs);
   s.tracker.cell_size = checked_cell_size(s, command, input);
-  if (!s.origin.empty()) s.tracker.origin = Point(s.origin[0], s.origin[1], s.origin[2]);
-  if (!s.tracker.origin.allFinite()) throw InvalidInput("--origin must be three finite numbers");
   Tracker tracker(input, s.tracker);
   const SurgeryReport report = remodel(tracker, s);
   const Triangles& surface = tracker.surface();
@@ -156,32 +146,19 @@ void add_resolve(CLI::App& app, int& exit) {
       ->required()
       ->type_name("OUT");
   auto* size = command->add_option_group("size of a cell")->require_option(1);
-  size->add_option("--cell", s->cell_size, "Edge of a topology cell")->type_name("H");
+  add_option_flags(*size, tracker_options(), s->tracker, {{"--cell", "cell_size"}});
   size->add_option("--cells", s->cells, "Cells along the longest axis of the common bounding box")
       ->type_name("N");
-  add_choice(*command, "--events", s->tracker.events, kEventsNames,
-             "What may happen: merge, split, both (the default) or none");
-  add_choice(*command, "--collapse", s->tracker.collapse, kCollapseNames,
-             "Vertices on the region's boundary: straighten (the default), keep or paper");
-  add_choice(*command, "--placement", s->tracker.placement, kPlacementNames,
-             "New vertices: crossing (the default) or distance_field");
-  add_choice(*command, "--cell-test", s->tracker.cell_test, kCellTestNames,
-             "Cells to re-sample: deep (the default) or plain");
-  add_choice(*command, "--arithmetic", s->tracker.arithmetic, kArithmeticNames,
-             "Signs: filtered (exact, the default), rational (exact, slow) or rounded (may fail)");
-  command
-      ->add_option("--jitter", s->tracker.jitter,
-                   "With --arithmetic rounded: move vertices by up to this part of a cell")
-      ->type_name("X");
-  command
-      ->add_option("--restarts", s->tracker.most_restarts,
-                   "With --collapse paper: gridlocks after which the surgery is refused")
-      ->type_name("N");
-  command->add_option("--depth", s->tracker.depth, "Cells between a deep cell and the isosurface")
-      ->type_name("N");
-  command->add_option("--origin", s->origin, "A node of the lattice: X Y Z")
-      ->expected(3)
-      ->type_name("X");
+  add_option_flags(*command, tracker_options(), s->tracker,
+                   {{"--events", "events"},
+                    {"--collapse", "collapse"},
+                    {"--placement", "placement"},
+                    {"--cell-test", "cell_test"},
+                    {"--arithmetic", "arithmetic"},
+                    {"--jitter", "jitter"},
+                    {"--restarts", "most_restarts"},
+                    {"--depth", "depth"},
+                    {"--origin", "origin"}});
   command->add_flag("--repair", s->inputs.mend, "Mend what has one right answer, and say what");
   command->add_option("--report", s->report, "Write the report as JSON")->type_name("R.json");
   command->add_option("--picture", s->picture, "Draw the result; what is new is in colour")

@@ -7,6 +7,7 @@
 #include "sims/flows/bodies.h"
 #include "sims/flows/fields.h"
 #include "sims/flows/mean_curvature.h"
+#include "sims/flows/motion_options.h"
 #include "sims/flows/normal_flow.h"
 
 namespace suture::sims {
@@ -45,100 +46,89 @@ MotionPtr make_rest(Keys&, const Velocities&) {
       [](const Triangles& surface, double) { return surface.positions; });
 }
 
-/// A field as a motion; with the key `reversal` all is back in place at that time.
+/// The parameters of a table as the keys have them.
+template <class Parameters>
+Parameters given(Keys& keys, const OptionTable<Parameters>& table) {
+  Parameters parameters;
+  read(keys, table, parameters);
+  return parameters;
+}
+
+/// A field as a motion, reversed where the keys say so.
 MotionPtr make_field(Keys& keys, VelocityField field) {
-  const double time = keys.number("reversal", Range::at_least(0), 0);
+  const double time = given(keys, reversal_parameters()).reversal;
   return std::make_unique<FieldMotion>(time > 0 ? reversed(std::move(field), time)
                                                 : std::move(field));
 }
 
 MotionPtr make_translation(Keys& keys, const Velocities&) {
-  return make_field(keys, translation(keys.vector("velocity", Point::UnitX())));
+  return make_field(keys, translation(given(keys, translation_parameters()).velocity));
 }
 
 MotionPtr make_vortex(Keys& keys, const Velocities&) { return make_field(keys, vortex()); }
 
 MotionPtr make_rotation(Keys& keys, const Velocities&) {
-  RotationParameters p;
-  p.centre = keys.vector("centre", p.centre);
-  p.axis = keys.vector("axis", p.axis);
-  p.rate = keys.number("rate", Range::any(), p.rate);
-  return make_field(keys, rotation(p));
+  return make_field(keys, rotation(given(keys, rotation_parameters())));
 }
 
 MotionPtr make_enright(Keys& keys, const Velocities&) {
-  constexpr std::array<Named<EnrightVariant>, 2> variants = {
-      {{"leveque", EnrightVariant::leveque}, {"eltopo", EnrightVariant::eltopo}}};
-  EnrightParameters p;
-  p.variant = keys.choice("variant", variants, p.variant);
-  p.period = keys.number("period", Range::above(0), p.period);
-  return std::make_unique<FieldMotion>(enright(p));
+  return std::make_unique<FieldMotion>(enright(given(keys, enright_parameters())));
 }
 
 MotionPtr make_curl_noise(Keys& keys, const Velocities&) {
-  CurlNoiseParameters p;
-  p.seed = static_cast<std::uint64_t>(keys.integer("seed", Range::at_least(0), 1));
-  p.waves = static_cast<int>(keys.integer("waves", Range::between(1, 10000), p.waves));
-  p.wavelength = keys.number("wavelength", Range::above(0), p.wavelength);
-  p.speed = keys.number("speed", Range::any(), p.speed);
-  p.period = keys.number("period", Range::at_least(0), p.period);
-  p.centre = keys.vector("centre", p.centre);
-  p.radius = keys.number("radius", Range::at_least(0), p.radius);
-  return make_field(keys, curl_noise(p));
+  return make_field(keys, curl_noise(given(keys, curl_noise_parameters())));
 }
 
 MotionPtr make_stretch(Keys& keys, const Velocities&) {
-  StretchParameters p;
-  p.centre = keys.vector("centre", p.centre);
-  p.axis = keys.vector("axis", p.axis);
-  p.rate = keys.number("rate", Range::any(), p.rate);
-  p.width = keys.number("width", Range::at_least(0), p.width);
-  return make_field(keys, stretch(p));
+  return make_field(keys, stretch(given(keys, stretch_parameters())));
 }
 
 MotionPtr make_fold(Keys& keys, const Velocities&) {
-  FoldParameters p;
-  p.centre = keys.vector("centre", p.centre);
-  p.axis = keys.vector("axis", p.axis);
-  p.up = keys.vector("up", p.up);
-  p.rate = keys.number("rate", Range::any(), p.rate);
-  p.amplitude = keys.number("amplitude", Range::any(), p.amplitude);
-  p.wavelength = keys.number("wavelength", Range::above(0), p.wavelength);
-  return make_field(keys, fold(p));
+  return make_field(keys, fold(given(keys, fold_parameters())));
 }
 
 MotionPtr make_normal_flow(Keys& keys, const Velocities&) {
-  const double speed = keys.number("speed", Range::any(), 1);
+  const double speed = given(keys, normal_flow_parameters()).speed;
   return std::make_unique<SurfaceMotion>(
       [speed](const Triangles& surface, double dt) { return normal_flow(surface, speed * dt); });
 }
 
 MotionPtr make_mean_curvature(Keys& keys, const Velocities&) {
-  const double rate = keys.number("rate", Range::above(0), 1);
+  const double rate = given(keys, mean_curvature_parameters()).rate;
   return std::make_unique<SurfaceMotion>([rate](const Triangles& surface, double dt) {
     return mean_curvature_flow(surface, rate * dt);
   });
 }
 
 MotionPtr make_bodies(Keys& keys, const Velocities& velocities) {
-  return make_bodies_motion(velocities, keys.number("relaxation", Range::above(0), 1));
+  return make_bodies_motion(velocities, given(keys, bodies_parameters()).relaxation);
+}
+
+using Infos = std::vector<OptionInfo>;
+
+/// The parameters of a field, and those of its reversal.
+Infos of_field(Infos parameters = {}) {
+  for (const OptionInfo& more : infos(reversal_parameters())) parameters.push_back(more);
+  return parameters;
 }
 
 struct Maker {
   const char* name;
   MotionPtr (*make)(Keys&, const Velocities&);
+  Infos (*parameters)();
 };
-constexpr std::array<Maker, 11> kMakers = {{{"bodies", make_bodies},
-                                            {"curl_noise", make_curl_noise},
-                                            {"enright", make_enright},
-                                            {"fold", make_fold},
-                                            {"mean_curvature", make_mean_curvature},
-                                            {"normal_flow", make_normal_flow},
-                                            {"rest", make_rest},
-                                            {"rotation", make_rotation},
-                                            {"stretch", make_stretch},
-                                            {"translation", make_translation},
-                                            {"vortex", make_vortex}}};
+constexpr std::array<Maker, 11> kMakers = {
+    {{"bodies", make_bodies, [] { return infos(bodies_parameters()); }},
+     {"curl_noise", make_curl_noise, [] { return of_field(infos(curl_noise_parameters())); }},
+     {"enright", make_enright, [] { return infos(enright_parameters()); }},
+     {"fold", make_fold, [] { return of_field(infos(fold_parameters())); }},
+     {"mean_curvature", make_mean_curvature, [] { return infos(mean_curvature_parameters()); }},
+     {"normal_flow", make_normal_flow, [] { return infos(normal_flow_parameters()); }},
+     {"rest", make_rest, [] { return Infos(); }},
+     {"rotation", make_rotation, [] { return of_field(infos(rotation_parameters())); }},
+     {"stretch", make_stretch, [] { return of_field(infos(stretch_parameters())); }},
+     {"translation", make_translation, [] { return of_field(infos(translation_parameters())); }},
+     {"vortex", make_vortex, [] { return of_field(); }}}};
 
 }  // namespace
 
@@ -146,6 +136,12 @@ std::vector<std::string> motion_names() {
   std::vector<std::string> names;
   for (const Maker& maker : kMakers) names.emplace_back(maker.name);
   return names;
+}
+
+std::vector<OptionInfo> motion_parameters(const std::string& kind) {
+  for (const Maker& maker : kMakers)
+    if (kind == maker.name) return maker.parameters();
+  return {};
 }
 
 std::unique_ptr<Motion> make_motion(const std::string& kind, Keys& keys,

@@ -13,6 +13,9 @@ namespace suture::sims {
 /// The names that make_motion knows, in alphabetical order.
 std::vector<std::string> motion_names();
 
+/// What is known of the parameters of the motion called `kind`; none of an unknown one.
+std::vector<OptionInfo> motion_parameters(const std::string& kind);
+
 /// The motion called `kind`, with its parameters read from `keys`, which may hold nothing else.
 /// `velocities` are the bodies' own, one for each vertex; only the motion `bodies` uses them.
 /// \throw InvalidInput for an unknown name or parameter, a wrong type, a value out of range

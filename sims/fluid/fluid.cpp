@@ -10,6 +10,7 @@
 #include "kernel/errors.h"
 #include "sims/fluid/effects/effects.h"
 #include "sims/fluid/liquid/subgrid_droplets.h"
+#include "sims/fluid/options_table.h"
 #include "sims/fluid/pressure.h"
 #include "sims/fluid/solids/wall_projection.h"
 
@@ -18,33 +19,6 @@ namespace {
 
 constexpr int kBand = 3;         // cells round the liquid that exist whatever the step
 constexpr int kWidestBand = 40;  // and at most, for steps across many cells
-
-void require(bool holds, const char* what) {
-  if (!holds) throw InvalidInput(std::string("fluid: ") + what);
-}
-
-void check(const FluidOptions& o) {
-  require(o.cell_size > 0 && std::isfinite(o.cell_size), "cell_size must be finite and above 0");
-  require(o.density > 0 && std::isfinite(o.density), "density must be finite and above 0");
-  require(o.gravity.allFinite() && o.origin.allFinite(), "gravity and origin must be finite");
-  require(o.cfl > 0 && std::isfinite(o.cfl), "cfl must be finite and above 0");
-  require(o.most_steps > 0, "most_steps must be 1 or more");
-  require(o.topology_cells > 0, "topology_cells must be above 0");
-  for (const SolverOptions& s : {o.pressure, o.viscous_solver})
-    require(s.tolerance > 0 && s.tolerance <= 1 && s.most_iterations > 0,
-            "a solver's tolerance must be above 0 and at most 1, and most_iterations 1 or more");
-  if (o.volume_control) check(*o.volume_control);
-  const auto at_least_0 = [](double x) { return x >= 0 && std::isfinite(x); };
-  require(at_least_0(o.viscosity.value_or(0)), "viscosity must be finite and at least 0");
-  require(at_least_0(o.surface_tension.value_or(0)), "tension must be finite and at least 0");
-  if (o.viscoelasticity) {
-    const ElasticOptions& e = *o.viscoelasticity;
-    require(at_least_0(e.modulus), "modulus must be finite and at least 0");
-    require(e.yield_strain > 0 && e.relaxation_time > 0,
-            "yield_strain and relaxation_time must be above 0");
-    require(e.flow_rate >= 0, "flow_rate must be at least 0");
-  }
-}
 
 std::size_t memory(const MacVelocity& velocity) {
   return 3 * velocity.u[0].size() * (sizeof(double) + 1);

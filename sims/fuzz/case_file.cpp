@@ -3,62 +3,30 @@
 
 #include <fmt/format.h>
 
-#include <nlohmann/json.hpp>
-
 #include "kernel/errors.h"
 #include "kernel/files.h"
-#include "sims/output/report_json.h"
 #include "sims/scene/scene.h"
 #include "sims/scene/toml_keys.h"
+#include "surgery/model/option_table.h"
 
 namespace suture::sims {
 
 namespace {
 
-/// Always a float to TOML, the sign of zero kept.
-std::string number(double x) {
-  std::string text = fmt::format("{}", x);
-  if (text.find_first_of(".en") == std::string::npos) text += ".0";
-  return text;
-}
-
-std::string quoted(const std::string& text) { return nlohmann::json(text).dump(); }
-
-std::string written(const Value& value) {
-  struct Writer {
-    std::string operator()(bool b) const { return b ? "true" : "false"; }
-    std::string operator()(std::int64_t i) const { return fmt::format("{}", i); }
-    std::string operator()(double x) const { return number(x); }
-    std::string operator()(const std::string& s) const { return quoted(s); }
-    std::string operator()(const std::vector<double>& list) const {
-      std::string text = "[";
-      for (const double x : list) text += (text.size() > 1 ? ", " : "") + number(x);
-      return text + "]";
-    }
-  };
-  return std::visit(Writer{}, value);
-}
-
-/// A flat JSON object as lines of TOML; tables inside it are left to the caller.
-std::string lines_of(const nlohmann::json& object) {
+/// The options of a table as lines of TOML, in alphabetical order.
+template <class Options>
+std::string lines_of(const Options& options, const OptionTable<Options>& table) {
+  const auto all = values(options, table);
   std::string text;
-  for (const auto& [key, v] : object.items()) {
-    if (v.is_object()) continue;
-    Value value = std::string();
-    if (v.is_boolean()) value = v.get<bool>();
-    if (v.is_number_integer()) value = v.get<std::int64_t>();
-    if (v.is_number_float()) value = v.get<double>();
-    if (v.is_string()) value = v.get<std::string>();
-    if (v.is_array()) value = v.get<std::vector<double>>();
-    text += fmt::format("{} = {}\n", key, written(value));
-  }
+  for (const auto& [key, value] : std::map<std::string, Value>(all.begin(), all.end()))
+    text += fmt::format("{} = {}\n", key, toml_of(value));
   return text;
 }
 
 std::string surface_toml(const Triangles& surface) {
   std::string text = "[surface]\npositions = [\n";
   for (const Point& p : surface.positions)
-    text += fmt::format("  {}, {}, {},\n", number(p[0]), number(p[1]), number(p[2]));
+    text += fmt::format("  {}, {}, {},\n", toml_of(p[0]), toml_of(p[1]), toml_of(p[2]));
   text += "]\ntriangles = [\n";
   for (const Triangle& t : surface.triangles)
     text += fmt::format("  {}, {}, {},\n", t[0], t[1], t[2]);
@@ -106,17 +74,16 @@ std::string to_toml(const CorpusCase& c) {
   std::string text = fmt::format("# {}\n# Replay it with: suture fuzz --replay FILE\n",
                                  c.cause.empty() ? "A case of suture fuzz." : c.cause);
   text += fmt::format("cause = {}\noracle = {}\nseed = \"{}\"\nprofile = {}\ngenerator = {}\n\n",
-                      quoted(c.cause), quoted(c.oracle), f.seed, quoted(f.profile),
-                      quoted(f.generator));
-  const nlohmann::json options = to_json(f.options);
-  text += "[options]\n" + lines_of(options);
-  text += "\n[quality]\n" + lines_of(options.at("quality")) + "\n";
+                      toml_of(c.cause), toml_of(c.oracle), f.seed, toml_of(f.profile),
+                      toml_of(f.generator));
+  text += "[options]\n" + lines_of(f.options, tracker_options());
+  text += "\n[quality]\n" + lines_of(f.options.quality, quality_options()) + "\n";
   for (const Operation& operation : f.operations) {
     text += "[[operations]]\n";
     for (const auto& named : kOperationNames)
       if (named.value == operation.kind) text += fmt::format("do = \"{}\"\n", named.name);
     for (const auto& [key, value] : operation.values)
-      text += fmt::format("{} = {}\n", key, written(value));
+      text += fmt::format("{} = {}\n", key, toml_of(value));
     text += "\n";
   }
   return text + surface_toml(f.surface);
@@ -136,8 +103,8 @@ CorpusCase read_case(const std::filesystem::path& file) {
   c.fuzz_case.profile = toml.keys.text("profile", "");
   c.fuzz_case.generator = toml.keys.text("generator", "");
   toml.keys.done();
-  c.fuzz_case.options = read_tracker(toml.tables.at("options").keys);
-  c.fuzz_case.options.quality = read_quality(toml.tables.at("quality").keys);
+  c.fuzz_case.options = read_all(toml.tables.at("options").keys, tracker_options());
+  c.fuzz_case.options.quality = read_all(toml.tables.at("quality").keys, quality_options());
   for (TomlTable& one : toml.lists["operations"])
     c.fuzz_case.operations.push_back(read_operation(one));
   c.fuzz_case.surface = read_surface(toml.tables.at("surface"));

@@ -8,7 +8,7 @@
 #include "sims/fuzz/generators.h"
 #include "sims/fuzz/operation_maker.h"
 #include "sims/fuzz/perturbation.h"
-#include "sims/scene/option_names.h"
+#include "surgery/model/option_table.h"
 
 namespace suture::sims {
 

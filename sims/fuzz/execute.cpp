@@ -10,7 +10,7 @@
 #include "kernel/random.h"
 #include "sims/flows/motions.h"
 #include "sims/fuzz/operation_maker.h"
-#include "sims/scene/option_names.h"
+#include "surgery/model/option_table.h"
 #include "surgery/tracker.h"
 
 namespace suture::sims {

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "sims/flows/motions.h"
-#include "sims/scene/option_names.h"
+#include "surgery/model/option_table.h"
 
 namespace suture::sims {
 

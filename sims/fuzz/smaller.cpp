@@ -4,13 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <nlohmann/json.hpp>
 
 #include "kernel/audit.h"
 #include "kernel/lattice.h"
 #include "kernel/measure/measures.h"
 #include "kernel/shapes/transform.h"
-#include "sims/output/report_json.h"
+#include "surgery/model/option_table.h"
 
 namespace suture::sims {
 
@@ -109,7 +108,8 @@ double rounded_to_bits(double x, int bits) {
 }
 
 bool same_options(const TrackerOptions& a, const TrackerOptions& b) {
-  return to_json(a) == to_json(b);
+  return values(a, tracker_options()) == values(b, tracker_options()) &&
+         values(a.quality, quality_options()) == values(b.quality, quality_options());
 }
 
 }  // namespace suture::sims

@@ -5,7 +5,7 @@
 
 #include "kernel/measure/measures.h"
 #include "sims/fluid/frame.h"
-#include "sims/scene/option_names.h"
+#include "surgery/model/option_table.h"
 
 namespace suture::sims {
 namespace {
@@ -52,20 +52,13 @@ json to_json(const OracleCounts& o) {
           {"filter_failures", o.filter_failures}};
 }
 
-json to_json(const QualityOptions& q) {
-  return {{"edge_length", q.edge_length},
-          {"chord_error", q.chord_error},
-          {"finest", q.finest},
-          {"longest", q.longest},
-          {"shortest", q.shortest},
-          {"smallest_angle", q.smallest_angle},
-          {"largest_angle", q.largest_angle},
-          {"feature_angle", q.feature_angle},
-          {"keep_features", q.keep_features},
-          {"volume_bound", q.volume_bound},
-          {"turn_bound", q.turn_bound},
-          {"passes", q.passes},
-          {"subdivision", name_of(q.subdivision, kSubdivisionNames)}};
+/// The options of a table by their names.
+template <class Options>
+json to_json(const Options& options, const OptionTable<Options>& table) {
+  json all = json::object();
+  for (const auto& [name, value] : values(options, table))
+    std::visit([&all, &key = name](const auto& v) { all[key] = v; }, value);
+  return all;
 }
 
 }  // namespace
@@ -131,18 +124,9 @@ json to_json(const Audit& a) {
 }
 
 json to_json(const TrackerOptions& t) {
-  return {{"cell_size", t.cell_size},
-          {"origin", {t.origin[0], t.origin[1], t.origin[2]}},
-          {"events", name_of(t.events, kEventsNames)},
-          {"cell_test", name_of(t.cell_test, kCellTestNames)},
-          {"depth", t.depth},
-          {"collapse", name_of(t.collapse, kCollapseNames)},
-          {"placement", name_of(t.placement, kPlacementNames)},
-          {"arithmetic", name_of(t.arithmetic, kArithmeticNames)},
-          {"jitter", t.jitter},
-          {"most_restarts", t.most_restarts},
-          {"straighten_turn", t.straighten_turn},
-          {"quality", to_json(t.quality)}};
+  json all = to_json(t, tracker_options());
+  all["quality"] = to_json(t.quality, quality_options());
+  return all;
 }
 
 json to_json(const TrackerCost& cost) {

@@ -14,13 +14,12 @@
 #include "kernel/random.h"
 #include "kernel/repair/repair.h"
 #include "kernel/shapes/transform.h"
+#include "sims/scene/option_tables.h"
 
 namespace suture::sims {
 namespace {
 
 namespace fs = std::filesystem;
-
-constexpr double kMostCopies = 1e6;  // beyond it a count is surely a slip
 
 /// Where a model of this name is: in $SUTURE_MODELS, or in data/models seen from the scene's
 /// folder.
@@ -47,24 +46,35 @@ std::map<std::string, double> shape_parameters(TomlTable& body) {
   return values;
 }
 
-Triangles shape(const std::string& key, TomlTable& body, const SceneSources& sources) {
-  Keys& keys = body.keys;
-  const std::string name = keys.text(key);
+/// The shape that the text of `key` names.
+Triangles shape(const char* key, const std::string& name, TomlTable& body,
+                const SceneSources& sources) {
   try {
     return sources.make_shape(name, shape_parameters(body));
   } catch (const InvalidInput& error) {
-    keys.refuse(key, error.what());
+    body.keys.refuse(key, error.what());
   }
 }
 
-/// Turned by `degrees` about the axis that the key `about` gives, z by default.
-Triangles turned(Triangles surface, Keys& keys, const std::string& about, double degrees) {
-  const Point axis = keys.vector(about, Point::UnitZ());
-  const double length = axis.stableNorm();
+struct Turn {
+  double degrees;
+  const Point& axis;
+  const char* key;  ///< that of the axis
+};
+
+Triangles turned(Triangles surface, const Turn& turn, const Keys& keys) {
+  const double length = turn.axis.stableNorm();
   if (!(length > 0 && std::isfinite(length)))
-    keys.refuse(about, "has no direction, or is too long; give one such as [0, 0, 1]");
-  return rotated(std::move(surface), axis, degrees * (std::numbers::pi / 180));
+    keys.refuse(turn.key, "has no direction, or is too long; give one such as [0, 0, 1]");
+  return rotated(std::move(surface), turn.axis, turn.degrees * (std::numbers::pi / 180));
 }
+
+/// Where files and shapes come from, and what the user is told.
+struct Surroundings {
+  const fs::path& folder;
+  const SceneSources& sources;
+  std::vector<std::string>& notes;
+};
 
 struct Source {
   Triangles surface;
@@ -72,29 +82,27 @@ struct Source {
   std::map<std::string, double> parameters{};
 };
 
-Source read_source(TomlTable& body, const fs::path& folder, const SceneSources& sources,
-                   std::vector<std::string>& notes) {
-  Keys& keys = body.keys;
-  const bool is_mesh = keys.has("mesh"), is_model = keys.has("model"), is_shape = keys.has("shape");
-  if (is_mesh + is_model + is_shape != 1)
-    keys.refuse("shape", "give one of shape, mesh (a file) or model (a name), and only one");
-  if (is_shape) return {shape("shape", body, sources), keys.text("shape"), shape_parameters(body)};
-  if (is_mesh) {
-    const fs::path file = folder / keys.text("mesh");
-    return {sources.read_mesh(file), file.string()};
-  }
-  const std::string name = keys.text("model");
-  const fs::path file = find_model(name, folder, sources);
-  if (!file.empty()) return {sources.read_mesh(file), file.string()};
-  if (!keys.has("fallback"))
-    keys.refuse("model", "is \"" + name +
-                             "\", which is not in $SUTURE_MODELS nor in data/models; bring it "
-                             "there, or name a shape as fallback");
-  notes.push_back("the model " + name + " is not here: the shape " + keys.text("fallback") +
-                  " takes its place");
-  const double degrees = keys.number("fallback_rotate", Range::any(), 0);
-  return {turned(shape("fallback", body, sources), keys, "fallback_rotate_axis", degrees),
-          keys.text("fallback")};
+/// The fallback of a model that is not there.
+Source read_fallback(const PlacedOptions& o, TomlTable& body, const Surroundings& from) {
+  if (!o.fallback)
+    body.keys.refuse("model", "is \"" + *o.model +
+                                  "\", which is not in $SUTURE_MODELS nor in data/models; bring it "
+                                  "there, or name a shape as fallback");
+  from.notes.push_back("the model " + *o.model + " is not here: the shape " + *o.fallback +
+                       " takes its place");
+  const Turn turn{o.fallback_rotate, o.fallback_rotate_axis, "fallback_rotate_axis"};
+  return {turned(shape("fallback", *o.fallback, body, from.sources), turn, body.keys), *o.fallback};
+}
+
+Source read_source(const PlacedOptions& o, TomlTable& body, const Surroundings& from) {
+  if (o.mesh.has_value() + o.model.has_value() + o.shape.has_value() != 1)
+    body.keys.refuse("shape", "give one of shape, mesh (a file) or model (a name), and only one");
+  if (o.shape)
+    return {shape("shape", *o.shape, body, from.sources), *o.shape, shape_parameters(body)};
+  const fs::path file =
+      o.mesh ? from.folder / *o.mesh : find_model(*o.model, from.folder, from.sources);
+  if (!o.mesh && file.empty()) return read_fallback(o, body, from);
+  return {from.sources.read_mesh(file), file.string()};
 }
 
 /// So that scenes can count on a model's place and size, whatever a scanner's unit was.
@@ -106,49 +114,34 @@ Triangles normalised(const Triangles& surface) {
 }
 
 /// Scales, turns and moves the surface; \return what it now is.
-PlacedShape place(Source& source, Keys& keys) {
+PlacedShape place(Source& source, const PlacedOptions& o, const Keys& keys) {
   Triangles& surface = source.surface;
   PlacedShape is;
-  const bool as_made = !keys.flag("normalise", false);
-  if (!as_made) surface = normalised(surface);
-  if (as_made && keys.has("shape") && !keys.flag("repair", false)) {
+  if (o.normalise) surface = normalised(surface);
+  if (!o.normalise && o.shape && !o.repair) {
     is.shape = source.name;
     is.parameters = source.parameters;
   }
-  is.scale = keys.number("scale", Range::above(0), 1);
+  is.scale = o.scale;
   surface = scaled(surface, is.scale);
-  const double degrees = keys.number("rotate", Range::any(), 0);
-  surface = turned(std::move(surface), keys, "rotate_axis", degrees);
+  const Turn turn{o.rotate, o.rotate_axis, "rotate_axis"};
+  surface = turned(std::move(surface), turn, keys);
   const Triangles axes{{Point::UnitX(), Point::UnitY(), Point::UnitZ()}, {}};
-  const Triangles turned_axes = turned(axes, keys, "rotate_axis", degrees);
+  const Triangles turned_axes = turned(axes, turn, keys);
   for (int i = 0; i < 3; ++i) is.turn.col(i) = turned_axes.positions[i];
-  is.move = keys.vector("translate", Point::Zero());
+  is.move = o.translate;
   surface = translated(surface, is.move);
   is.vertices = surface.positions.size();
   is.triangles = surface.triangles.size();
   return is;
 }
 
-/// How many of the body there are; with those before, no more than can be held.
-std::int64_t read_copies(Keys& keys, std::size_t triangles, std::size_t before, double most) {
-  const std::int64_t copies = keys.integer("copies", Range::between(1, kMostCopies), 1);
-  const double total =
-      static_cast<double>(triangles) * static_cast<double>(copies) + static_cast<double>(before);
-  if (!(total <= most))
-    keys.refuse("copies", fmt::format("is {}, of {} triangles each: {} with the bodies before, "
-                                      "more than {}; give fewer copies, or longer edges",
-                                      copies, triangles, total, most));
-  return copies;
-}
-
 /// Where the copies of a body go: one as it is, or many at seeded random places in a box.
-std::vector<Point> scattered(Keys& keys, std::int64_t copies) {
-  const std::int64_t seed = keys.integer("scatter_seed", Range::at_least(0), 1);
-  const Point low = keys.vector("scatter_low", Point::Zero());
-  const Point high = keys.vector("scatter_high", low);
-  Random random(static_cast<std::uint64_t>(seed));
+std::vector<Point> scattered(const BodyOptions& o, const Keys& keys) {
+  const Point low = o.scatter_low, high = o.scatter_high.value_or(low);
+  Random random(static_cast<std::uint64_t>(o.scatter_seed));
   std::vector<Point> places;
-  for (std::int64_t i = 0; i < copies; ++i) {
+  for (std::int64_t i = 0; i < o.copies; ++i) {
     Point place;
     for (int axis = 0; axis < 3; ++axis) place[axis] = random.uniform(low[axis], high[axis]);
     if (!place.allFinite()) keys.refuse("scatter_high", "is too far from scatter_low");
@@ -161,10 +154,16 @@ void read_body(TomlTable& body, const fs::path& folder, const SceneSources& sour
                Bodies& bodies) {
   Keys& keys = body.keys;
   const auto [surface, is] = read_placed(body, folder, sources, bodies.notes);
-  const Point velocity = keys.vector("velocity", Point::Zero());
-  const std::int64_t copies = read_copies(keys, surface.triangles.size(),
-                                          bodies.surface.triangles.size(), sources.most_triangles);
-  const std::vector<Point> places = scattered(keys, copies);
+  BodyOptions o;
+  read(keys, body_options(), o);
+  const std::size_t each = surface.triangles.size();
+  const double total = static_cast<double>(each) * static_cast<double>(o.copies) +
+                       static_cast<double>(bodies.surface.triangles.size());
+  if (!(total <= sources.most_triangles))
+    keys.refuse("copies", fmt::format("is {}, of {} triangles each: {} with the bodies before, "
+                                      "more than {}; give fewer copies, or longer edges",
+                                      o.copies, each, total, sources.most_triangles));
+  const std::vector<Point> places = scattered(o, keys);
   keys.done();
   std::vector<Triangles> all = {std::move(bodies.surface)};
   for (const Point& at : places) {
@@ -176,7 +175,7 @@ void read_body(TomlTable& body, const fs::path& folder, const SceneSources& sour
   for (const Point& p : bodies.surface.positions)
     if (!p.allFinite())
       keys.refuse("translate", "scale and scatter take the body beyond what a double can hold");
-  bodies.velocities.resize(bodies.surface.positions.size(), velocity);
+  bodies.velocities.resize(bodies.surface.positions.size(), o.velocity);
 }
 
 }  // namespace
@@ -184,17 +183,15 @@ void read_body(TomlTable& body, const fs::path& folder, const SceneSources& sour
 PlacedSurface read_placed(TomlTable& body, const fs::path& folder, const SceneSources& sources,
                           std::vector<std::string>& notes) {
   body.allow_tables({"parameters"});
-  Keys& keys = body.keys;
-  Source source = read_source(body, folder, sources, notes);
-  if (keys.flag("repair", false)) {
+  PlacedOptions o;
+  read(body.keys, placed_options(), o);
+  Source source = read_source(o, body, {folder, sources, notes});
+  if (o.repair) {
     for (const std::string& done : repair(source.surface).in_words())
       notes.push_back(source.name + ": " + done);
   }
-  keys.text("fallback", "");  // known, and of no use where the model is there
-  keys.number("fallback_rotate", Range::any(), 0);
-  keys.vector("fallback_rotate_axis", Point::UnitZ());
   require_usable(source.surface, body.where + ": " + source.name);
-  const PlacedShape is = place(source, keys);
+  const PlacedShape is = place(source, o, body.keys);
   return {std::move(source.surface), is};
 }
 

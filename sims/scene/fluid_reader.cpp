@@ -1,36 +1,15 @@
 // The tables [fluid] and [[solids]] of a scene.
 #include "sims/scene/fluid_reader.h"
 
-#include <limits>
-
+#include "sims/fluid/options_table.h"
 #include "sims/scene/bodies_reader.h"
 
 namespace suture::sims {
 namespace {
 
-constexpr std::array<Named<VelocityAdvection>, 2> kAdvections = {
-    {{"semi_lagrangian", VelocityAdvection::semi_lagrangian},
-     {"mac_cormack", VelocityAdvection::mac_cormack}}};
-constexpr std::array<Named<SolidKind>, 4> kSolids = {{{"container", SolidKind::container},
-                                                      {"box", SolidKind::box},
-                                                      {"ball", SolidKind::ball},
-                                                      {"mesh", SolidKind::mesh}}};
-
-Box read_box(Keys& keys) {
-  Box box;
-  box.low = keys.vector("low", Point::Zero());
-  box.high = keys.vector("high", Point::Zero());
+void require_box(const Keys& keys, const Box& box) {
   if (!(box.low.array() < box.high.array()).all())
     keys.refuse("low", "and high are a box's corners; give each of low below high");
-  return box;
-}
-
-SolidMotion read_motion(Keys& keys) {
-  SolidMotion m;
-  m.velocity = keys.vector("velocity", m.velocity);
-  m.amplitude = keys.vector("amplitude", m.amplitude);
-  m.period = keys.number("period", Range::above(0), m.period);
-  return m;
 }
 
 SolidOptions read_solid(TomlTable& solid, const std::filesystem::path& folder,
@@ -38,25 +17,18 @@ SolidOptions read_solid(TomlTable& solid, const std::filesystem::path& folder,
   solid.allow_tables({"parameters"});
   Keys& keys = solid.keys;
   SolidOptions s;
-  s.kind = keys.choice("kind", kSolids, s.kind);
+  read(keys, solid_options(), s);
   if (s.kind == SolidKind::mesh) {
     s.surface = read_placed(solid, folder, sources, notes).surface;
   } else if (s.kind == SolidKind::ball) {
-    s.centre = keys.vector("centre", s.centre);
-    s.radius = keys.number("radius", Range::above(0));
+    read(keys, ball_solid_options(), s);
   } else {
-    s.box = read_box(keys);
+    read(keys, box_solid_options(), s);
+    require_box(keys, s.box);
   }
-  s.motion = read_motion(keys);
+  read(keys, solid_motion_options(), s.motion);
   keys.done();
   return s;
-}
-
-SolverOptions read_solver(Keys& keys, SolverOptions o) {
-  o.tolerance = keys.number("tolerance", Range{0, 1, true}, o.tolerance);
-  o.most_iterations =
-      static_cast<int>(keys.integer("most_iterations", Range::between(1, 1e6), o.most_iterations));
-  return o;
 }
 
 /// An effect is there if its table is.
@@ -71,30 +43,15 @@ void read_effect(TomlTable& fluid, const std::string& name, Read read) {
 
 void read_effects(TomlTable& fluid, FluidOptions& o) {
   fluid.allow_tables({"viscosity", "viscoelasticity", "surface_tension", "volume_control"});
-  read_effect(fluid, "viscosity", [&](Keys& keys) {
-    o.viscosity = keys.number("viscosity", Range::at_least(0));
-    o.no_slip = keys.flag("no_slip", o.no_slip);
-    o.viscous_solver = read_solver(keys, o.viscous_solver);
-  });
+  read_effect(fluid, "viscosity", [&](Keys& keys) { read(keys, viscosity_options(), o); });
   read_effect(fluid, "viscoelasticity", [&](Keys& keys) {
-    ElasticOptions e;
-    e.modulus = keys.number("modulus", Range::at_least(0));
-    e.yield_strain = keys.number("yield_strain", Range::above(0).or_infinite(), e.yield_strain);
-    e.flow_rate = keys.number("flow_rate", Range::at_least(0).or_infinite(), e.flow_rate);
-    e.relaxation_time =
-        keys.number("relaxation_time", Range::above(0).or_infinite(), e.relaxation_time);
-    e.no_slip = keys.flag("no_slip", o.no_slip);  // viscosity's, unless it has its own
-    o.viscoelasticity = e;
+    o.viscoelasticity.emplace().no_slip = o.no_slip;  // viscosity's, unless it has its own
+    read(keys, viscoelasticity_options(), *o.viscoelasticity);
   });
   read_effect(fluid, "surface_tension",
-              [&](Keys& keys) { o.surface_tension = keys.number("tension", Range::at_least(0)); });
+              [&](Keys& keys) { read(keys, surface_tension_options(), o); });
   read_effect(fluid, "volume_control", [&](Keys& keys) {
-    VolumeControlOptions v;
-    v.relaxation = keys.number("relaxation", Range::above(2), v.relaxation);
-    v.damping = keys.number("damping", Range::above(0), v.damping);
-    v.most_shift = keys.number("most_shift", Range{0, 1, true}, v.most_shift);
-    v.most_integral = keys.number("most_integral", Range::between(0, 1), v.most_integral);
-    o.volume_control = v;
+    read(keys, volume_control_options(), o.volume_control.emplace());
   });
 }
 
@@ -114,18 +71,10 @@ std::shared_ptr<const FluidOptions> read_fluid(TomlTable& scene, const TrackerOp
     return nullptr;
   }
   TomlTable& fluid = at->second;
-  Keys& keys = fluid.keys;
   FluidOptions o;
-  o.cell_size = keys.number("cell_size", Range::above(0), tracker.cell_size);
-  o.origin = keys.vector("origin", o.origin);
-  o.density = keys.number("density", Range::above(0), o.density);
-  o.gravity = keys.vector("gravity", o.gravity);
-  o.cfl = keys.number("cfl", Range::above(0), o.cfl);
-  o.most_steps = static_cast<int>(keys.integer("most_steps", Range::between(1, 1e6), o.most_steps));
-  o.topology_cells = keys.number("topology_cells", Range::above(0).or_infinite(), o.topology_cells);
-  o.advection = keys.choice("advection", kAdvections, o.advection);
-  o.pressure = read_solver(keys, o.pressure);
-  keys.done();
+  o.cell_size = tracker.cell_size;
+  read(fluid.keys, fluid_options(), o);
+  fluid.keys.done();
   read_effects(fluid, o);
   if (solids != scene.lists.end())
     for (TomlTable& solid : solids->second)

@@ -16,7 +16,8 @@
 #include "sims/flows/motions.h"
 #include "sims/scene/bodies_reader.h"
 #include "sims/scene/fluid_reader.h"
-#include "sims/scene/option_names.h"
+#include "sims/scene/option_tables.h"
+#include "surgery/model/option_table.h"
 
 namespace suture::sims {
 namespace {
@@ -34,29 +35,6 @@ TomlTable table(const TomlTable& scene, const std::string& name) {
     scene.keys.refuse(name, "is a list of tables; write [" + name + "] once");
   return {Keys({}, name, scene.where), {}, {}, {}, scene.where};
 }
-
-}  // namespace
-
-QualityOptions read_quality(Keys keys) {
-  QualityOptions q;
-  q.edge_length = keys.number("edge_length", Range::at_least(0), q.edge_length);
-  q.chord_error = keys.number("chord_error", Range::at_least(0), q.chord_error);
-  q.finest = keys.number("finest", Range{0, 1, true}, q.finest);
-  q.longest = keys.number("longest", Range::above(1), q.longest);
-  q.shortest = keys.number("shortest", Range::between(0, 1), q.shortest);
-  q.smallest_angle = keys.number("smallest_angle", Range::between(0, 60), q.smallest_angle);
-  q.largest_angle = keys.number("largest_angle", Range::between(60, 180), q.largest_angle);
-  q.feature_angle = keys.number("feature_angle", Range::between(0, 180), q.feature_angle);
-  q.keep_features = keys.flag("keep_features", q.keep_features);
-  q.volume_bound = keys.number("volume_bound", Range::at_least(0), q.volume_bound);
-  q.turn_bound = keys.number("turn_bound", Range::between(0, 180), q.turn_bound);
-  q.passes = static_cast<int>(keys.integer("passes", Range::between(0, 1000), q.passes));
-  q.subdivision = keys.choice("subdivision", kSubdivisionNames, q.subdivision);
-  keys.done();
-  return q;
-}
-
-namespace {
 
 /// Edges are subdivided until they are short enough, however many triangles that makes.
 void require_affordable(const Scene& scene, const TomlTable& toml) {
@@ -79,118 +57,30 @@ void require_affordable(const Scene& scene, const TomlTable& toml) {
                                edge, triangles, kMostTriangles));
 }
 
-}  // namespace
-
-TrackerOptions read_tracker(Keys keys) {
-  TrackerOptions t;
-  t.cell_size = keys.number("cell_size", Range::above(0));
-  t.origin = keys.vector("origin", t.origin);
-  t.events = keys.choice("events", kEventsNames, t.events);
-  t.cell_test = keys.choice("cell_test", kCellTestNames, t.cell_test);
-  t.depth = static_cast<int>(keys.integer("depth", Range::between(0, 1000), t.depth));
-  t.collapse = keys.choice("collapse", kCollapseNames, t.collapse);
-  t.placement = keys.choice("placement", kPlacementNames, t.placement);
-  t.arithmetic = keys.choice("arithmetic", kArithmeticNames, t.arithmetic);
-  t.jitter = keys.number("jitter", Range::between(0, 0.1), t.jitter);
-  t.most_restarts = static_cast<int>(keys.integer(
-      "most_restarts", Range::between(0, std::numeric_limits<int>::max()), t.most_restarts));
-  t.straighten_turn = keys.number("straighten_turn", Range::between(0, 180), t.straighten_turn);
-  keys.done();
-  return t;
-}
-
-namespace {
-
 TimeOptions read_time(Keys keys) {
-  TimeOptions t;
-  t.step = keys.number("step", Range::above(0));
-  t.end = keys.number("end", Range::at_least(0));
-  const Range counts = Range::between(0, std::numeric_limits<int>::max());
-  t.remodel_every = static_cast<int>(keys.integer("remodel_every", counts, t.remodel_every));
-  t.improve_every = static_cast<int>(keys.integer("improve_every", counts, t.improve_every));
+  const TimeOptions t = read_all(keys, time_options());
   if (!(t.end / t.step <= kMostSteps))
     keys.refuse("step", fmt::format("is {}, which asks for more than {} steps until {}", t.step,
                                     kMostSteps, t.end));
-  keys.done();
   return t;
 }
 
-Every read_every(Keys& keys) {
-  const Range counts = Range::between(0, std::numeric_limits<int>::max());
-  return {static_cast<int>(keys.integer("every", counts, 0)), keys.list("at", Range::at_least(0))};
-}
-
-void read_meshes(Keys keys, OutputOptions& output) {
-  output.meshes = read_every(keys);
-  output.mesh_format = "ply";
-  if (keys.has("format"))
-    output.mesh_format = keys.one_of("format", {"obj", "off", "ply", "stl"});
-  else
-    keys.text("format", "");
-  keys.done();
-}
-
-void read_camera(Keys& keys, OutputOptions& output) {
-  constexpr std::array<Named<Fit>, 3> fits = {
-      {{"first", Fit::first}, {"each", Fit::each}, {"box", Fit::box}}};
+/// Reads [pictures], and makes the picture's box and cut of what it says.
+void read_pictures(const Keys& keys, OutputOptions& output) {
+  output = read_all(keys, picture_options(), std::move(output));
   PictureOptions& p = output.picture;
-  p.direction = keys.vector("direction", p.direction);
-  p.up = keys.vector("up", p.up);
   if (!(p.direction.cross(p.up).norm() > 1e-6 * p.direction.norm() * p.up.norm()))
     keys.refuse("direction", "and up must be two different directions");
-  p.view_angle = keys.number("view_angle", Range::between(1, 120), p.view_angle);
-  p.zoom = keys.number("zoom", Range::above(0), p.zoom);
-  output.fit = keys.choice("fit", fits, output.fit);
-  const Point low = keys.vector("low", Point::Zero()), high = keys.vector("high", Point::Zero());
-  if (output.fit != Fit::box) return;
-  if (!(low.array() < high.array()).all())
-    keys.refuse("fit", "is \"box\"; give its corners low and high, each of high above low");
-  p.fit = Box{low, high};
-}
-
-void read_pictures(Keys keys, OutputOptions& output) {
-  constexpr std::array<Named<Colour>, 3> colours = {
-      {{"plain", Colour::plain}, {"patches", Colour::patches}, {"components", Colour::components}}};
-  output.pictures = read_every(keys);
-  PictureOptions& p = output.picture;
-  p.width = static_cast<int>(keys.integer("width", Range::between(16, 4096), p.width));
-  p.height = static_cast<int>(keys.integer("height", Range::between(16, 4096), p.height));
-  output.colour = keys.choice("colour", colours, output.colour);
-  output.patch_fading = keys.number("patch_fading", Range::at_least(0), 0);
-  p.edges = keys.flag("edges", p.edges);
-  p.feature_angle = keys.number("feature_angle", Range::between(0, 180), p.feature_angle);
-  read_camera(keys, output);
-  if (keys.has("cut_point") || keys.has("cut_normal")) {
-    CutPlane cut;
-    cut.point = keys.vector("cut_point", cut.point);
-    cut.normal = keys.vector("cut_normal", cut.normal);
-    if (!(cut.normal.norm() > 0)) keys.refuse("cut_normal", "has no direction");
-    p.cut = cut;
-  } else {
-    keys.vector("cut_point", Point::Zero());
-    keys.vector("cut_normal", Point::Zero());
+  if (output.fit == Fit::box) {
+    if (!(output.box.low.array() < output.box.high.array()).all())
+      keys.refuse("fit", "is \"box\"; give its corners low and high, each of high above low");
+    p.fit = output.box;
   }
-  keys.done();
-}
-
-MeasureOptions read_measure(Keys keys) {
-  MeasureOptions m;
-  m.at = keys.list("at", Range::at_least(0));
-  if (keys.has("reference"))
-    m.reference = keys.one_of("reference", {"exact", "polyhedron", "none"});
-  else
-    keys.text("reference", "");
-  m.domain = keys.number("domain", Range::at_least(0), m.domain);
-  m.tolerance = keys.number("tolerance", Range::at_least(0), m.tolerance);
-  const Range whole = Range::between(-1e9, 1e9);
-  const auto components = static_cast<int>(keys.integer("components", whole, 0));
-  const auto euler = static_cast<int>(keys.integer("euler", whole, 0));
-  if (keys.has("components")) m.components = components;
-  if (keys.has("euler")) m.euler = euler;
-  m.until_components =
-      static_cast<int>(keys.integer("until_components", Range::between(0, 1e9), 0));
-  keys.done();
-  return m;
+  if (!output.cut_point && !output.cut_normal) return;
+  const CutPlane usual;
+  p.cut =
+      CutPlane{output.cut_point.value_or(usual.point), output.cut_normal.value_or(usual.normal)};
+  if (!(p.cut->normal.norm() > 0)) keys.refuse("cut_normal", "has no direction");
 }
 
 /// One motion, or several that take over from each other at the times `until`.
@@ -205,10 +95,11 @@ std::vector<Phase> read_phases(TomlTable& scene, const std::vector<Point>& veloc
   for (TomlTable& one : tables) {
     one.allow_tables({});
     Phase phase;
-    phase.kind = one.keys.one_of("kind", motion_names());
-    const bool last = phases.size() + 1 == tables.size();
-    phase.until = last && !one.keys.has("until") ? std::numeric_limits<double>::infinity()
-                                                 : one.keys.number("until", Range::above(from));
+    phase.kind = std::get<std::string>(*one.keys.value(phase_options().row("kind").about));
+    OptionInfo until = phase_options().row("until").about;
+    until.range = Range::above(from);
+    until.required = phases.size() + 1 < tables.size();
+    if (const auto time = one.keys.value(until)) phase.until = option_values::number_in(*time);
     from = phase.until;
     phase.parameters = one.keys.values();
     try {
@@ -293,15 +184,16 @@ Scene parse_scene(const std::string& text, const std::filesystem::path& file,
   apply(changes, toml);
   Scene scene;
   scene.file = file;
-  scene.title = toml.keys.text("title", file.stem().string());
+  scene.title = file.stem().string();
+  read(toml.keys, scene_options(), scene);
   toml.keys.done();
-  scene.tracker = read_tracker(table(toml, "tracker").keys);
-  scene.tracker.quality = read_quality(table(toml, "quality").keys);
+  scene.tracker = read_all(table(toml, "tracker").keys, tracker_options());
+  scene.tracker.quality = read_all(table(toml, "quality").keys, quality_options());
   scene.method = read_method(table(toml, "method").keys, scene.tracker);
   scene.time = read_time(table(toml, "time").keys);
-  read_meshes(table(toml, "meshes").keys, scene.output);
+  scene.output = read_all(table(toml, "meshes").keys, mesh_options());
   read_pictures(table(toml, "pictures").keys, scene.output);
-  scene.measure = read_measure(table(toml, "measure").keys);
+  scene.measure = read_all(table(toml, "measure").keys, measure_options());
   Bodies bodies = read_bodies(toml, file.parent_path(), sources);
   scene.surface = std::move(bodies.surface);
   scene.notes = std::move(bodies.notes);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <limits>
 #include <map>
 #include <memory>
 #include <optional>
@@ -23,7 +24,7 @@ struct FluidOptions;
 struct Phase {
   std::string kind;
   std::map<std::string, Value> parameters;  ///< as given
-  double until = 0;
+  double until = std::numeric_limits<double>::infinity();
   std::unique_ptr<Motion> motion;
 };
 
@@ -47,12 +48,14 @@ struct Every {
 enum class Fit { first, each, box };
 
 struct OutputOptions {
-  std::string mesh_format;  ///< "ply", "obj", "off", "stl"
+  std::string mesh_format = "ply";  ///< or "obj", "off", "stl"
   Every meshes, pictures;
   Colour colour = Colour::patches;
   double patch_fading = 0;  ///< time in which a patch's colour fades; 0: a tenth of the whole
   Fit fit = Fit::first;
-  PictureOptions picture;
+  Box box;                                     ///< with Fit::box only: what is in view
+  std::optional<Point> cut_point, cut_normal;  ///< neither: nothing is cut away
+  PictureOptions picture;                      ///< with its box and cut as the fields above say
 };
 
 /// What `suture measure` is to look at, and what is right.
@@ -96,9 +99,13 @@ Scene read_scene(const std::filesystem::path& file, const SceneChanges& changes 
 /// \throw InvalidInput as read_scene
 PictureOptions read_picture_options(const std::filesystem::path& file);
 
-/// The tables [tracker] and [quality], which may hold nothing else. \throw InvalidInput likewise
-TrackerOptions read_tracker(Keys keys);
-QualityOptions read_quality(Keys keys);
+/// The options of a table in a file, which may hold nothing else. \throw InvalidInput likewise
+template <class Options>
+Options read_all(Keys keys, const OptionTable<Options>& table, Options options = {}) {
+  read(keys, table, options);
+  keys.done();
+  return options;
+}
 
 /// The scene in a text, as if it stood in `file`, which need not be there. \throw as read_scene
 Scene parse_scene(const std::string& text, const std::filesystem::path& file,

@@ -126,4 +126,39 @@ TomlTable parse_toml(const std::string& text, const std::filesystem::path& file)
   }
 }
 
+namespace {
+
+/// Always a float to TOML, the sign of zero kept.
+std::string number_text(double x) {
+  std::string text = in_words(x);
+  if (text.find_first_of(".en") == std::string::npos) text += ".0";
+  return text;
+}
+
+std::string quoted(const std::string& text) {
+  static constexpr std::string_view special = "\"\\\b\f\n\r\t", letters = "\"\\bfnrt";
+  std::string all = "\"";
+  for (const char c : text) {
+    if (const std::size_t at = special.find(c); at != std::string_view::npos)
+      all += {'\\', letters[at]};
+    else if (static_cast<unsigned char>(c) < 0x20)
+      all += fmt::format("\\u{:04x}", static_cast<int>(c));
+    else
+      all += c;
+  }
+  return all + "\"";
+}
+
+}  // namespace
+
+std::string toml_of(const Value& value) {
+  if (const auto* x = std::get_if<double>(&value)) return number_text(*x);
+  if (const auto* text = std::get_if<std::string>(&value)) return quoted(*text);
+  const auto* list = std::get_if<std::vector<double>>(&value);
+  if (list == nullptr) return in_words(value);
+  std::string all;
+  for (const double x : *list) all += (all.empty() ? "" : ", ") + number_text(x);
+  return "[" + all + "]";
+}
+
 }  // namespace suture::sims

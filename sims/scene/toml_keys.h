@@ -24,4 +24,7 @@ struct TomlTable {
 /// `file` is the name for messages. \throw InvalidInput if the text is not TOML, with the line
 TomlTable parse_toml(const std::string& text, const std::filesystem::path& file);
 
+/// A value as a TOML file has it, which reads back to the same bits.
+std::string toml_of(const Value& value);
+
 }  // namespace suture::sims

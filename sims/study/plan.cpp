@@ -9,7 +9,7 @@
 #include <set>
 
 #include "kernel/errors.h"
-#include "sims/scene/option_names.h"
+#include "surgery/model/option_table.h"
 
 namespace suture::sims {
 namespace {

@@ -1,54 +1,12 @@
 // A table of named values in which every key is checked: its type, its range, and its name.
 #pragma once
 
-#include <array>
-#include <cstdint>
-#include <limits>
 #include <map>
 #include <set>
-#include <string>
-#include <variant>
-#include <vector>
 
-#include "kernel/triangles.h"
+#include "kernel/option_table.h"
 
 namespace suture::sims {
-
-/// What a key may hold; numbers in lists are doubles.
-using Value = std::variant<bool, std::int64_t, double, std::string, std::vector<double>>;
-
-/// The numbers that a key allows, in its own unit.
-struct Range {
-  double low = -std::numeric_limits<double>::infinity();
-  double high = std::numeric_limits<double>::infinity();
-  bool open = false;      ///< `low` itself is not allowed
-  bool infinite = false;  ///< inf is allowed
-
-  static Range any() { return {}; }
-  static Range above(double low) { return {low, std::numeric_limits<double>::infinity(), true}; }
-  static Range at_least(double low) { return {low, std::numeric_limits<double>::infinity()}; }
-  Range or_infinite() const {
-    Range wider = *this;
-    wider.infinite = true;
-    return wider;
-  }
-  static Range between(double low, double high) { return {low, high}; }
-  bool holds(double x) const { return (open ? x > low : x >= low) && x <= high; }
-  std::string words() const;
-};
-
-/// A value that a user writes as a word.
-template <class T>
-struct Named {
-  const char* name;
-  T value;
-};
-
-/// The name among `known` that is nearest to `wrong` by edit distance, or empty if none is near.
-std::string nearest_name(const std::string& wrong, const std::vector<std::string>& known);
-
-/// Names joined for a message: "a, b, c".
-std::string joined(const std::vector<std::string>& names);
 
 /// Reads a table key by key. Each getter throws InvalidInput with the place, the key and what is
 /// allowed where the value has the wrong type or is out of range; numbers must be finite. `done`
@@ -73,6 +31,9 @@ class Keys {
   std::vector<std::string> names() const;       ///< of the keys given, in alphabetical order
   std::map<std::string, Value> values() const;  ///< all that was given, unchecked
 
+  /// The value of an option; nothing where the table has none and the option can do without.
+  std::optional<Value> value(const OptionInfo& option);
+
   double number(const std::string& key, Range allowed);
   double number(const std::string& key, Range allowed, double fallback);
   std::int64_t integer(const std::string& key, Range allowed, std::int64_t fallback);
@@ -84,7 +45,7 @@ class Keys {
 
   template <class T, std::size_t N>
   T choice(const std::string& key, const std::array<Named<T>, N>& allowed, T fallback) {
-    if (!ask(key)) return fallback;
+    if (!has(key)) return asked_.insert(key), fallback;
     std::vector<std::string> names;
     for (const Named<T>& a : allowed) names.push_back(a.name);
     const std::string given = one_of(key, names);
@@ -102,13 +63,17 @@ class Keys {
   [[noreturn]] void refuse(const std::string& key, const std::string& what) const;
 
  private:
-  const Entry* ask(const std::string& key);
-  const Entry& require(const std::string& key, const std::string& kind);
-  double checked(const std::string& key, double x, const Range& allowed) const;
-
   std::map<std::string, Entry> entries_;
   std::string name_, where_;
   std::set<std::string> asked_;
 };
+
+/// Reads every option of a table; those that the keys do not have stay as they are in `options`.
+/// \throw InvalidInput as the getters of Keys
+template <class Options>
+void read(Keys& keys, const OptionTable<Options>& table, Options& options) {
+  for (const auto& row : table.rows())
+    if (const std::optional<Value> value = keys.value(row.about)) row.field.set(options, *value);
+}
 
 }  // namespace suture::sims

@@ -11,7 +11,7 @@
 #include <thread>
 
 #include "kernel/files.h"
-#include "sims/scene/option_names.h"
+#include "surgery/model/option_table.h"
 #include "tests/brute/construct_questions.h"
 
 using namespace suture;

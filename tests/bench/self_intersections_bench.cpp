@@ -6,7 +6,7 @@
 
 #include "kernel/measure/self_intersections.h"
 #include "kernel/random.h"
-#include "sims/scene/option_names.h"
+#include "surgery/model/option_table.h"
 #include "tests/models.h"
 #include "tests/surgery/sewn.h"
 

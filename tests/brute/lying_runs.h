@@ -5,7 +5,7 @@
 #include <string>
 
 #include "kernel/audit.h"
-#include "sims/scene/option_names.h"
+#include "surgery/model/option_table.h"
 #include "surgery/model/tracker_lattice.h"
 #include "surgery/quality/improve.h"
 #include "surgery/remodel.h"

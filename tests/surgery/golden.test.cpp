@@ -13,7 +13,7 @@
 #include "kernel/hash.h"
 #include "kernel/shapes/catalogue.h"
 #include "sims/flows/fields.h"
-#include "sims/scene/option_names.h"
+#include "surgery/model/option_table.h"
 #include "tests/surgery/golden_digests.h"
 #include "tests/surgery/hostile.h"
 #include "tests/surgery/support.h"

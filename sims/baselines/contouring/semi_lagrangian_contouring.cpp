@@ -75,12 +75,7 @@ class Contouring : public SurfaceTracker {
   Contouring(const Triangles& surface, const ContouringOptions& o)
       : options_(o), band_{o.cell_size, o.origin, kMargin}, surface_(surface) {
     require_valid(band_);
-    if (o.trace_order < 2 || o.trace_order > 4)
-      throw InvalidInput("semi-Lagrangian contouring's trace_order is " +
-                         std::to_string(o.trace_order) + "; it must be 2 to 4");
-    if (o.refinements < 0 || o.refinements > 100)
-      throw InvalidInput("semi-Lagrangian contouring's refinements are " +
-                         std::to_string(o.refinements) + "; they must be 0 to 100");
+    check(o, contouring_options(), "semi-Lagrangian contouring: ");
   }
 
   void advect(const VelocityField& u, double dt) override {

@@ -16,22 +16,11 @@
 namespace suture::sims {
 namespace {
 
-void require_order(int order, int least, int most, const char* name) {
-  if (order < least || order > most)
-    throw InvalidInput(std::string("the level set's ") + name + " is " + std::to_string(order) +
-                       "; it must be " + std::to_string(least) + " to " + std::to_string(most));
-}
-
 class LevelSet : public SurfaceTracker {
  public:
   LevelSet(const Triangles& surface, const LevelSetOptions& o)
       : options_(o), band_{o.cell_size, o.origin, o.half_width} {
-    require_order(o.time_order, 1, 3, "time_order");
-    require_order(o.trace_order, 2, 4, "trace_order");
-    require_order(o.renormalise.time_order, 1, 3, "renormalisation's time_order");
-    require_order(o.renormalise.steps, 1, 1000, "renormalisation's steps");
-    if (o.renormalise.every < 0)
-      throw InvalidInput("a level set is re-normalised every 0 (never) or more steps");
+    check(o, level_set_options(), "level set: ");
     const double start = process_seconds();
     grid_ = make_level_set(surface, band_);
     begin_ = process_seconds() - start;

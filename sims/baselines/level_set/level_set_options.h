@@ -1,7 +1,7 @@
 // The choices of the level set baseline, with OpenVDB's defaults.
 #pragma once
 
-#include "kernel/triangles.h"
+#include "kernel/option_table.h"
 
 namespace suture::sims {
 
@@ -44,5 +44,8 @@ struct LevelSetOptions {
   Limiter limiter = Limiter::clamp;
   Renormalisation renormalise{};
 };
+
+/// Their table: who adds an option adds a field and a row.
+const OptionTable<LevelSetOptions>& level_set_options();
 
 }  // namespace suture::sims

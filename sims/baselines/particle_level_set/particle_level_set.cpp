@@ -15,27 +15,11 @@
 namespace suture::sims {
 namespace {
 
-void require(bool holds, const std::string& what) {
-  if (!holds) throw InvalidInput("particle level set: " + what);
-}
-
 void check(const ParticleLevelSetOptions& o) {
-  require(std::isfinite(o.cell_size) && o.cell_size > 0 && o.origin.allFinite(),
-          "cell_size must be a positive number and origin finite");
-  require(
-      o.trace_order >= 2 && o.trace_order <= 4 && o.particle_order >= 2 && o.particle_order <= 4,
-      "trace_order and particle_order are orders of Runge–Kutta steps; give 2, 3 or 4");
-  require(o.particles_per_cell >= 0 && o.particles_per_cell <= 4096,
-          "particles_per_cell counts particles; give 0 (none) to 4096");
-  require(o.band >= 1 && o.band <= 100, "band is in cells; give 1 to 100");
-  require(
-      o.smallest_radius > 0 && o.smallest_radius <= o.largest_radius && o.largest_radius <= o.band,
-      "radii are in cells: 0 < smallest_radius <= largest_radius <= band");
-  require(o.escape >= 0 && std::isfinite(o.escape), "escape is in radii; give 0 or more");
-  require(o.attraction_steps >= 0 && o.reinitialise_every >= 0 && o.reseed_every >= 0,
-          "attraction_steps, reinitialise_every and reseed_every count steps; give 0 or more");
-  require(o.relaxation_steps >= 1 && o.relaxation_steps <= 1000,
-          "relaxation_steps counts steps; give 1 to 1000");
+  check(o, particle_level_set_options(), "particle level set: ");
+  if (!(o.smallest_radius <= o.largest_radius && o.largest_radius <= o.band))
+    throw InvalidInput(
+        "particle level set: radii are in cells: 0 < smallest_radius <= largest_radius <= band");
 }
 
 MarkerRules rules_of(const ParticleLevelSetOptions& o) {
