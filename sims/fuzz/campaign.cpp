@@ -32,10 +32,10 @@ struct Worker {
   std::string unread;
 };
 
-FuzzSummary death_of(std::uint64_t seed, const std::string& oracle, const std::string& cause) {
+FuzzSummary death_of(std::uint64_t seed, const std::string& check, const std::string& cause) {
   FuzzSummary one;
   one.cases = 1;
-  one.failures.push_back({seed, oracle, cause, {}});
+  one.failures.push_back({seed, check, cause, {}});
   return one;
 }
 

@@ -7,9 +7,9 @@
 
 #include "kernel/errors.h"
 #include "kernel/files.h"
-#include "sims/output/report_json.h"
 #include "sims/scene/scene.h"
 #include "sims/scene/toml_keys.h"
+#include "surgery/model/option_table.h"
 
 namespace suture::sims {
 
@@ -39,19 +39,13 @@ std::string written(const Value& value) {
   return std::visit(Writer{}, value);
 }
 
-/// A flat JSON object as lines of TOML; tables inside it are left to the caller.
-std::string lines_of(const nlohmann::json& object) {
+/// Each option in a line, in alphabetical order.
+template <class Options>
+std::string lines_of(const Options& options, const OptionTable<Options>& table) {
+  const auto list = values(options, table);
+  const std::map<std::string, Value> sorted(list.begin(), list.end());
   std::string text;
-  for (const auto& [key, v] : object.items()) {
-    if (v.is_object()) continue;
-    Value value = std::string();
-    if (v.is_boolean()) value = v.get<bool>();
-    if (v.is_number_integer()) value = v.get<std::int64_t>();
-    if (v.is_number_float()) value = v.get<double>();
-    if (v.is_string()) value = v.get<std::string>();
-    if (v.is_array()) value = v.get<std::vector<double>>();
-    text += fmt::format("{} = {}\n", key, written(value));
-  }
+  for (const auto& [key, value] : sorted) text += fmt::format("{} = {}\n", key, written(value));
   return text;
 }
 
@@ -105,12 +99,11 @@ std::string to_toml(const CorpusCase& c) {
   const FuzzCase& f = c.fuzz_case;
   std::string text = fmt::format("# {}\n# Replay it with: suture fuzz --replay FILE\n",
                                  c.cause.empty() ? "A case of suture fuzz." : c.cause);
-  text += fmt::format("cause = {}\noracle = {}\nseed = \"{}\"\nprofile = {}\ngenerator = {}\n\n",
-                      quoted(c.cause), quoted(c.oracle), f.seed, quoted(f.profile),
-                      quoted(f.generator));
-  const nlohmann::json options = to_json(f.options);
-  text += "[options]\n" + lines_of(options);
-  text += "\n[quality]\n" + lines_of(options.at("quality")) + "\n";
+  text +=
+      fmt::format("cause = {}\noracle = {}\nseed = \"{}\"\nprofile = {}\ngenerator = {}\n\n",
+                  quoted(c.cause), quoted(c.check), f.seed, quoted(f.profile), quoted(f.generator));
+  text += "[options]\n" + lines_of(f.options, tracker_options());
+  text += "\n[quality]\n" + lines_of(f.options.quality, quality_options()) + "\n";
   for (const Operation& operation : f.operations) {
     text += "[[operations]]\n";
     for (const auto& named : kOperationNames)
@@ -131,7 +124,7 @@ CorpusCase read_case(const std::filesystem::path& file) {
                                      file.string(), needed));
   CorpusCase c;
   c.cause = toml.keys.text("cause", "");
-  c.oracle = toml.keys.text("oracle", "");
+  c.check = toml.keys.text("oracle", "");
   c.fuzz_case.seed = read_seed(toml.keys);
   c.fuzz_case.profile = toml.keys.text("profile", "");
   c.fuzz_case.generator = toml.keys.text("generator", "");

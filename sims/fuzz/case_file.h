@@ -11,8 +11,8 @@ namespace suture::sims {
 /// A case, and why it is kept.
 struct CorpusCase {
   FuzzCase fuzz_case;
-  std::string oracle;  ///< that objected, or once did; empty for a case that is only shown
-  std::string cause;   ///< one line
+  std::string check;  ///< that objected, or once did; empty for a case that is only shown
+  std::string cause;  ///< one line
 };
 
 /// TOML; numbers are the shortest decimals that give the same double again.

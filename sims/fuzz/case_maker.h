@@ -4,21 +4,10 @@
 #include <optional>
 
 #include "sims/fuzz/fuzz_case.h"
+#include "sims/fuzz/generators.h"
+#include "sims/fuzz/option_draws.h"
 
 namespace suture::sims {
-
-/// What cases are like.
-enum class Profile {
-  random,    ///< bodies as they come, moved and remodelled a few times
-  hostile,   ///< vertices on planes, lines, nodes and beside them; extreme scales and offsets
-  fed_back,  ///< output fed back many times, moved a little in between
-  all        ///< one of these, by the seed
-};
-
-inline constexpr std::array<Named<Profile>, 4> kProfileNames = {{{"random", Profile::random},
-                                                                 {"hostile", Profile::hostile},
-                                                                 {"fed_back", Profile::fed_back},
-                                                                 {"all", Profile::all}}};
 
 /// What a campaign asks of its cases; whatever is not given the seed decides.
 struct CaseOptions {
@@ -28,6 +17,17 @@ struct CaseOptions {
   std::optional<double> jitter{};
 };
 
-FuzzCase make_case(std::uint64_t seed, const CaseOptions& options);
+/// All that cases are made of. A part more changes only those cases that come to have it.
+struct CaseParts {
+  std::vector<Generator> generators;
+  std::vector<std::string> motions;
+  std::vector<OptionDraw> options;
+};
+
+/// Every generator, every motion, and every option that is drawn.
+const CaseParts& case_parts();
+
+FuzzCase make_case(std::uint64_t seed, const CaseOptions& options,
+                   const CaseParts& parts = case_parts());
 
 }  // namespace suture::sims

@@ -8,8 +8,8 @@
 
 #include "kernel/files.h"
 #include "sims/fuzz/case_file.h"
-#include "sims/support/process.h"
 #include "sims/fuzz/execute.h"
+#include "sims/support/process.h"
 
 namespace suture::sims {
 
@@ -35,6 +35,7 @@ bool take(const std::string& bytes, std::size_t& at, std::vector<T>& list) {
   return true;
 }
 
+/// Thrown to end a run at the operation that was asked for.
 struct Reached {};
 
 Triangles surface_before(const FuzzCase& c, std::size_t operation, double seconds) {
@@ -42,7 +43,7 @@ Triangles surface_before(const FuzzCase& c, std::size_t operation, double second
       [&] {
         std::string bytes;
         try {
-          run_case(c, OracleChoice("fast"), [&](std::size_t index, const Triangles& surface) {
+          run_case(c, CheckChoice("fast"), [&](std::size_t index, const Triangles& surface) {
             if (index != operation) return;
             put(bytes, surface.positions);
             put(bytes, surface.triangles);
@@ -59,23 +60,23 @@ Triangles surface_before(const FuzzCase& c, std::size_t operation, double second
   return surface;
 }
 
-/// What makes two failures one kind: the oracle, and what an exception or a refusal says.
+/// Two failures are of one kind if the same check objected with the same words.
 std::string kind_of(const FuzzFailure& failure) {
-  return failure.oracle + ": " + kind_of_cause(failure.cause);
+  return failure.check + ": " + kind_of_cause(failure.cause);
 }
 
-/// The oracle alone is asked again, so that trials are cheap; what the runner sees, it always sees.
-OracleChoice only(const std::string& oracle, const OracleChoice& all) {
-  for (const FuzzOracle& known : fuzz_oracles())
-    if (known.name == oracle) return OracleChoice(oracle);
-  return oracle == "refused" || oracle == "exception" ? OracleChoice("fast") : all;
+/// The check alone is asked again, so that trials are cheap; what the runner sees, it always sees.
+CheckChoice only(const std::string& check, const CheckChoice& all) {
+  for (const FuzzCheck& known : fuzz_checks())
+    if (known.name == check) return CheckChoice(check);
+  return check == "refused" || check == "exception" ? CheckChoice("fast") : all;
 }
 
 }  // namespace
 
-FuzzSummary run_in_child(const FuzzCase& c, const OracleChoice& oracles, double seconds) {
+FuzzSummary run_in_child(const FuzzCase& c, const CheckChoice& checks, double seconds) {
   const Isolated run =
-      run_isolated([&] { return to_json(run_case(c, oracles).counts).dump(); }, seconds);
+      run_isolated([&] { return to_json(run_case(c, checks).counts).dump(); }, seconds);
   if (run.death.empty())
     return summary_from_json(nlohmann::json::parse(run.text), "a child's line");
   FuzzSummary died;
@@ -88,9 +89,9 @@ FuzzSummary run_in_child(const FuzzCase& c, const OracleChoice& oracles, double 
   return died;
 }
 
-std::optional<FuzzFailure> failure_of(const FuzzCase& c, const OracleChoice& oracles,
+std::optional<FuzzFailure> failure_of(const FuzzCase& c, const CheckChoice& checks,
                                       double seconds) {
-  const FuzzSummary summary = run_in_child(c, oracles, seconds);
+  const FuzzSummary summary = run_in_child(c, checks, seconds);
   if (summary.failures.empty()) return std::nullopt;
   return summary.failures.front();
 }
@@ -99,10 +100,9 @@ namespace {
 
 /// \return the file
 std::filesystem::path save_minimal(const FuzzFailure& failure, FuzzCase c,
-                                   const std::filesystem::path& folder, const OracleChoice& oracles,
-                                   const MinimiseLimits& limits) {
-  const OracleChoice asked = only(failure.oracle, oracles);
-  const double seconds = failure.oracle == "hang" ? 1 : limits.seconds;  // of one trial
+                                   const CorpusOptions& options) {
+  const CheckChoice asked = only(failure.check, options.checks);
+  const double seconds = failure.check == "hang" ? 1 : options.limits.seconds;  // of one trial
   const std::string kind = kind_of(failure);
   const auto fails = [&](const FuzzCase& smaller) {
     const auto again = failure_of(smaller, asked, seconds);
@@ -111,31 +111,30 @@ std::filesystem::path save_minimal(const FuzzFailure& failure, FuzzCase c,
   const auto before = [&](const FuzzCase& smaller, std::size_t operation) {
     return surface_before(smaller, operation, seconds);
   };
-  CorpusCase kept{std::move(c), failure.oracle, failure.cause};
+  CorpusCase kept{std::move(c), failure.check, failure.cause};
   if (fails(kept.fuzz_case))
-    kept.fuzz_case = minimise(std::move(kept.fuzz_case), fails, before, limits).fuzz_case;
+    kept.fuzz_case = minimise(std::move(kept.fuzz_case), {fails, before}, options.limits).fuzz_case;
   if (const auto least = failure_of(kept.fuzz_case, asked, seconds)) kept.cause = least->cause;
-  const auto file = folder / fmt::format("{}_{}.toml", failure.oracle, failure.seed);
+  const auto file = options.folder / fmt::format("{}_{}.toml", failure.check, failure.seed);
   write_file(file, to_toml(kept));
   return file;
 }
 
 }  // namespace
 
-void save_failures(FuzzSummary& summary, const std::filesystem::path& folder,
-                   const OracleChoice& oracles, const MinimiseLimits& limits,
-                   const std::function<FuzzCase(std::uint64_t)>& case_of) {
-  std::filesystem::create_directories(folder);
+void save_failures(FuzzSummary& summary, const std::function<FuzzCase(std::uint64_t)>& case_of,
+                   const CorpusOptions& options) {
+  std::filesystem::create_directories(options.folder);
   std::map<std::string, int> saved;
   for (FuzzFailure& failure : summary.failures) {
-    if (++saved[kind_of(failure)] > limits.each) continue;
+    if (++saved[kind_of(failure)] > options.limits.each) continue;
     FuzzCase c;
     try {
       c = case_of(failure.seed);
     } catch (const std::exception&) {
       continue;  // the generator itself broke down, as the failure says
     }
-    failure.file = save_minimal(failure, std::move(c), folder, oracles, limits).string();
+    failure.file = save_minimal(failure, std::move(c), options).string();
   }
 }
 

@@ -1,4 +1,4 @@
-// The runner sees exceptions and refusals itself; everything else the oracles say.
+// The runner sees exceptions and refusals itself; everything else is left to the checks.
 #include "sims/fuzz/execute.h"
 
 #include <bit>
@@ -9,8 +9,7 @@
 #include "kernel/measure/measures.h"
 #include "kernel/random.h"
 #include "sims/flows/motions.h"
-#include "sims/fuzz/operation_maker.h"
-#include "sims/scene/option_names.h"
+#include "sims/fuzz/displacement.h"
 #include "surgery/tracker.h"
 
 namespace suture::sims {
@@ -86,7 +85,7 @@ std::string advance(Tracker& tracker, const Operation& operation) {
 void displace(Tracker& tracker, const Operation& operation) {
   std::vector<Point> positions = tracker.surface().positions;
   const TrackerOptions& o = tracker.options();
-  spoil(positions, spoiling_of(operation), o.cell_size, o.origin);
+  perturb(positions, perturbation_of(operation), {o.cell_size, o.origin});
   tracker.displace(std::move(positions));
 }
 
@@ -102,11 +101,8 @@ std::uint64_t digest_of(std::uint64_t seed, const Triangles& surface) {
 /// The state of one run.
 class Run {
  public:
-  Run(const FuzzCase& c, const OracleChoice& oracles, const CaseWatcher& watcher)
-      : case_(c),
-        oracles_(oracles),
-        watcher_(watcher),
-        tally_(run_.counts.generators[c.generator]) {
+  Run(const FuzzCase& c, const CheckChoice& checks, const CaseWatcher& watcher)
+      : case_(c), checks_(checks), watcher_(watcher), tally_(run_.counts.generators[c.generator]) {
     run_.counts.cases = tally_.cases = 1;
   }
 
@@ -128,8 +124,8 @@ class Run {
   }
 
  private:
-  void fail(const std::string& oracle, const std::string& cause) {
-    run_.counts.failures.push_back({case_.seed, oracle, cause.substr(0, cause.find('\n')), {}});
+  void fail(const std::string& check, const std::string& cause) {
+    run_.counts.failures.push_back({case_.seed, check, cause.substr(0, cause.find('\n')), {}});
   }
 
   /// \return whether the case goes on
@@ -201,21 +197,21 @@ class Run {
                        case_.options.arithmetic == Arithmetic::rational;
     if (o.surgery && o.surgery->outcome == Outcome::refused && exact)
       fail("refused", o.surgery->failure);
-    for (const FuzzOracle& oracle : fuzz_oracles()) {
+    for (const FuzzCheck& check : fuzz_checks()) {
       if (!run_.counts.failures.empty()) return false;
-      if (!oracles_.asks(oracle, case_.seed)) continue;
-      ++run_.counts.checks[oracle.name];
+      if (!checks_.asks(check, case_.seed)) continue;
+      ++run_.counts.checks[check.name];
       try {
-        if (const Objection objection = oracle.object(o)) fail(oracle.name, *objection);
+        if (const Objection objection = check.object(o)) fail(check.name, *objection);
       } catch (const std::exception& error) {
-        fail(oracle.name, std::string("it threw: ") + error.what());
+        fail(check.name, std::string("it threw: ") + error.what());
       }
     }
     return run_.counts.failures.empty();
   }
 
   const FuzzCase& case_;
-  const OracleChoice& oracles_;
+  const CheckChoice& checks_;
   const CaseWatcher& watcher_;
   CaseRun run_;
   GeneratorTally& tally_;
@@ -224,8 +220,8 @@ class Run {
 
 }  // namespace
 
-CaseRun run_case(const FuzzCase& c, const OracleChoice& oracles, const CaseWatcher& watcher) {
-  return Run(c, oracles, watcher).go();
+CaseRun run_case(const FuzzCase& c, const CheckChoice& checks, const CaseWatcher& watcher) {
+  return Run(c, checks, watcher).go();
 }
 
 }  // namespace suture::sims

@@ -1,12 +1,11 @@
 // Each generator is a few lines over the kernel's shapes and tubes; sizes are drawn, counts small.
 #include "sims/fuzz/generators.h"
 
-#include <array>
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
 #include "kernel/errors.h"
-#include "kernel/measure/measures.h"
 #include "kernel/shapes/shapes.h"
 #include "kernel/shapes/transform.h"
 #include "sims/fuzz/extrude.h"
@@ -16,6 +15,8 @@ namespace suture::sims {
 
 namespace {
 
+using Input = GeneratorInput;
+
 constexpr double kTurn = 2 * std::numbers::pi;
 
 Point vector_in(Random& random, double reach) {
@@ -23,22 +24,16 @@ Point vector_in(Random& random, double reach) {
           random.uniform(-reach, reach)};
 }
 
-int count(Draw& d, int least, int most) {
-  return least + static_cast<int>(d.random.below(static_cast<std::uint64_t>(most - least + 1)));
+Triangles turned(Triangles body, const Draws& d) {
+  return rotated(std::move(body), d.vector("axis", 1) + Point(0, 0, 1.5),
+                 d.uniform("angle", 0, kTurn));
 }
 
-bool one_in(Draw& d, std::uint64_t n) { return d.random.below(n) == 0; }
-
-Triangles turned(Triangles body, Draw& d) {
-  return rotated(std::move(body), vector_in(d.random, 1) + Point(0, 0, 1.5),
-                 d.random.uniform(0, kTurn));
-}
-
-/// Near the others; in a third of the cases by whole cells.
-Triangles placed(Triangles body, Draw& d, double reach = 0.8) {
-  Point by = vector_in(d.random, reach);
-  if (one_in(d, 3))
-    for (int a = 0; a < 3; ++a) by[a] = d.cell * std::round(by[a] / d.cell);
+/// The body moved near the others; in a third of the cases by whole cells.
+Triangles placed(Triangles body, const Input& in, double reach = 0.8) {
+  Point by = in.draws.vector("place", reach);
+  if (in.draws.once_in("place in whole cells", 3))
+    for (int a = 0; a < 3; ++a) by[a] = in.cell * std::round(by[a] / in.cell);
   return translated(std::move(body), by);
 }
 
@@ -47,17 +42,24 @@ Triangles inverted(Triangles body) {
   return body;
 }
 
-Triangles blob(Draw& d) {
-  Triangles body = sphere(
-      {Point::Zero(), d.random.uniform(0.2, 0.9), 0.1, d.large ? count(d, 4, 8) : count(d, 1, 2)});
-  const double bumps = one_in(d, 2) ? 0 : d.random.uniform(0, 0.5);
-  for (Point& p : body.positions) p *= 1 + d.random.uniform(-bumps, bumps);
+Triangles blob(const Input& in) {
+  const Draws& d = in.draws;
+  Triangles body = sphere({Point::Zero(), d.uniform("radius", 0.2, 0.9), 0.1,
+                           in.large() ? d.whole("large rings", 4, 8) : d.whole("rings", 1, 2)});
+  const double bumps = d.once_in("smooth", 2) ? 0 : d.uniform("bumps", 0, 0.5);
+  Random random = d.of("bump");
+  for (Point& p : body.positions) p *= 1 + random.uniform(-bumps, bumps);
   return body;
 }
 
-Triangles blobs(Draw& d) {
+Triangles blobs(const Input& in) {
   std::vector<Triangles> bodies;
-  for (int b = count(d, 2, d.large ? 12 : 4); b > 0; --b) bodies.push_back(placed(blob(d), d));
+  const Draws& d = in.draws;
+  const int count = in.large() ? d.whole("large count", 2, 12) : d.whole("count", 2, 4);
+  for (int b = 0; b < count; ++b) {
+    const Input body = in.in("body", b);
+    bodies.push_back(placed(blob(body), body));
+  }
   return merged(bodies);
 }
 
@@ -68,210 +70,242 @@ std::vector<Point> circle(double radius, int points) {
   return line;
 }
 
-Triangles tori(Draw& d) {
+Triangles torus(const Input& in) {
+  const Draws& d = in.draws;
+  const double radius = d.uniform("radius", 0.3, 0.9);
+  const int points = in.large() ? d.whole("large points", 20, 60) : d.whole("points", 4, 12);
+  const int sides = in.large() ? 16 : d.whole("sides", 3, 6);
+  return tube(circle(radius, points),
+              {d.uniform("thickness", 0.03, 0.9) * radius, sides, Ends::joined});
+}
+
+Triangles tori(const Input& in) {
   std::vector<Triangles> bodies;
-  for (int b = count(d, 1, 3); b > 0; --b) {
-    const double radius = d.random.uniform(0.3, 0.9);
-    const int points = d.large ? count(d, 20, 60) : count(d, 4, 12);
-    bodies.push_back(
-        placed(turned(tube(circle(radius, points), {d.random.uniform(0.03, 0.9) * radius,
-                                                    d.large ? 16 : count(d, 3, 6), Ends::joined}),
-                      d),
-               d, 0.5));
+  for (int b = 0, count = in.draws.whole("count", 1, 3); b < count; ++b) {
+    const Input body = in.in("body", b);
+    bodies.push_back(placed(turned(torus(body), body.draws), body, 0.5));
   }
   return merged(bodies);
 }
 
-Triangles sheets(Draw& d) {
+Triangles sheets(const Input& in) {
   std::vector<Triangles> bodies;
-  const double thickness = 0.37 * d.random.uniform(0.005, 1);  // 300° allow 0.38
-  for (int b = count(d, 1, 3); b > 0; --b)
-    bodies.push_back(
-        placed(turned(sheet({Point::Zero(), 2, d.random.uniform(0.4, 1.5), thickness,
-                             one_in(d, 2) ? 0 : d.random.uniform(-300, 300), d.large ? 0.08 : 0.5}),
-                      d),
-               d, 0.4));
+  const double thickness = 0.37 * in.draws.uniform("thickness", 0.005, 1);  // 300° allow 0.38
+  for (int b = 0, count = in.draws.whole("count", 1, 3); b < count; ++b) {
+    const Input body = in.in("body", b);
+    const Draws& d = body.draws;
+    const double degrees = d.once_in("flat", 2) ? 0 : d.uniform("degrees", -300, 300);
+    bodies.push_back(placed(turned(sheet({Point::Zero(), 2, d.uniform("width", 0.4, 1.5), thickness,
+                                          degrees, in.large() ? 0.08 : 0.5}),
+                                   d),
+                            body, 0.4));
+  }
   return merged(bodies);
 }
 
 /// A strip rolled past a full turn, often thicker than the space between its turns.
-Triangles roll(Draw& d) {
-  const double turns = d.random.uniform(1.05, 3), pitch = d.random.uniform(-0.2, 0.3);
-  const double half = 0.5 * d.random.uniform(0.02, 0.4), width = d.random.uniform(0.1, 0.8);
-  const int points = static_cast<int>(turns * (d.large ? 60 : count(d, 6, 12))) + 2;
+Triangles roll(const Input& in) {
+  const Draws& d = in.draws;
+  const double turns = d.uniform("turns", 1.05, 3), pitch = d.uniform("pitch", -0.2, 0.3);
+  const double half = 0.5 * d.uniform("thickness", 0.02, 0.4);
+  const Point up(0, 0, d.uniform("width", 0.1, 0.8));
+  const int points = static_cast<int>(turns * (in.large() ? 60 : d.whole("points", 6, 12))) + 2;
   std::vector<std::vector<Point>> stations;
   for (int s = 0; s < points; ++s) {
     const double angle = kTurn * turns * s / (points - 1), r = 0.7 + pitch * angle / kTurn;
     const Point out(std::cos(angle), std::sin(angle), 0);
-    const Point up(0, 0, width);
     stations.push_back({(r - half) * out - up, (r - half) * out + up, (r + half) * out + up,
                         (r + half) * out - up});
   }
-  return turned(sweep(stations, Ends::capped), d);
+  return turned(extrude(stations, Ends::capped), d);
 }
 
-Triangles tangle(Draw& d) {
+Triangles tangle(const Input& in) {
   std::vector<Triangles> bodies;
-  for (int b = count(d, 1, 3); b > 0; --b) {
-    std::vector<Point> line{vector_in(d.random, 0.8)};
-    for (int k = d.large ? count(d, 30, 120) : count(d, 3, 14); k > 0; --k)
-      line.push_back(0.9 * line.back() + vector_in(d.random, 0.7));
-    const Ends ends = line.size() > 3 && one_in(d, 2) ? Ends::joined : Ends::capped;
-    bodies.push_back(tube(line, {d.random.uniform(0.02, 0.35), count(d, 3, 6), ends}));
+  for (int b = 0, count = in.draws.whole("count", 1, 3); b < count; ++b) {
+    const Draws d = in.draws.in("body", static_cast<std::uint64_t>(b));
+    std::vector<Point> line{d.vector("start", 0.8)};
+    Random step = d.of("step");
+    for (int k = in.large() ? d.whole("large steps", 30, 120) : d.whole("steps", 3, 14); k > 0; --k)
+      line.push_back(0.9 * line.back() + vector_in(step, 0.7));
+    const Ends ends = line.size() > 3 && d.once_in("ring", 2) ? Ends::joined : Ends::capped;
+    bodies.push_back(tube(line, {d.uniform("radius", 0.02, 0.35), d.whole("sides", 3, 6), ends}));
   }
   return merged(bodies);
 }
 
 /// Any closed surface with its vertices thrown anywhere.
-Triangles soup(Draw& d) {
-  Triangles body = one_in(d, 2) ? blob(d) : tori(d);
-  const double share = d.random.uniform(0.05, 1), reach = d.random.uniform(0.3, 1.2);
+Triangles soup(const Input& in) {
+  const Draws& d = in.draws;
+  Triangles body = d.once_in("one blob", 2) ? blob(in.in("blob")) : tori(in.in("tori"));
+  const double share = d.uniform("share", 0.05, 1), reach = d.uniform("reach", 0.3, 1.2);
+  Random random = d.of("throw");
   for (Point& p : body.positions)
-    if (d.random.uniform() < share) p = vector_in(d.random, reach);
+    if (random.uniform() < share) p = vector_in(random, reach);
   return body;
 }
 
-Triangles carved(Draw& d) {
-  Triangles body =
-      carved_ball({Point::Zero(), d.random.uniform(0.5, 0.9), d.random.uniform(0.2, 0.6),
-                   d.random.uniform(0.05, 0.15), count(d, 1, 1000), d.large ? 0.08 : 0.35});
-  return placed(std::move(body), d, 0.3);
+Triangles carved(const Input& in) {
+  const Draws& d = in.draws;
+  Triangles body = carved_ball({Point::Zero(), d.uniform("radius", 0.5, 0.9),
+                                d.uniform("depth", 0.2, 0.6), d.uniform("groove width", 0.05, 0.15),
+                                d.whole("seed", 1, 1000), in.large() ? 0.08 : 0.35});
+  return placed(std::move(body), in, 0.3);
 }
 
-Triangles dumbbells(Draw& d) {
-  const double radius = d.random.uniform(0.25, 0.5), neck = d.random.uniform(0.02, 0.6) * radius;
-  if (d.large)
+Triangles dumbbells(const Input& in) {
+  const Draws& d = in.draws;
+  const double radius = d.uniform("radius", 0.25, 0.5),
+               neck = d.uniform("neck", 0.02, 0.6) * radius;
+  if (in.large())
     return turned(dumbbell({Point::Zero(), radius, 3 * radius, neck, 0.2 * radius, 0.15}), d);
   std::vector<std::vector<Point>> stations;
-  const int sides = count(d, 3, 7), rows = count(d, 6, 12);
+  const int sides = d.whole("sides", 3, 7), rows = d.whole("rows", 6, 12);
   for (int s = 0; s <= rows; ++s) {
     const double z = 2.0 * s / rows - 1;
     const double r = neck + (radius - neck) * std::pow(std::sin(std::numbers::pi * z), 2);
     auto& station = stations.emplace_back();
     for (const Point& p : circle(r, sides)) station.push_back(p + Point(0, 0, z));
   }
-  return turned(sweep(stations, Ends::capped), d);
+  return turned(extrude(stations, Ends::capped), d);
 }
 
 /// Boxes on the lattice's planes or between them, beside, on and in one another.
-Triangles boxes(Draw& d) {
+Triangles boxes(const Input& in) {
   std::vector<Triangles> bodies;
-  for (int b = count(d, 1, 4); b > 0; --b) {
-    const double unit = one_in(d, 3) ? d.cell / 2 : d.cell;
+  for (int b = 0, count = in.draws.whole("count", 1, 4); b < count; ++b) {
+    const Draws d = in.draws.in("body", static_cast<std::uint64_t>(b));
+    const double unit = d.once_in("half cells", 3) ? in.cell / 2 : in.cell;
+    const auto most = static_cast<std::uint64_t>(std::max(1.0, 1.2 / unit));
+    Random sizes = d.of("sizes"), corner = d.of("corner");
     Point size, low;
     for (int a = 0; a < 3; ++a) {
-      size[a] = unit * count(d, 1, static_cast<int>(std::max(1.0, 1.2 / unit)));
-      low[a] = unit * std::round(d.random.uniform(-0.8, 0.8) / unit);
+      size[a] = unit * static_cast<double>(1 + sizes.below(most));
+      low[a] = unit * std::round(corner.uniform(-0.8, 0.8) / unit);
     }
-    bodies.push_back(box({low + size / 2, size, d.large ? 0.15 : d.random.uniform(0.5, 2)}));
+    bodies.push_back(
+        box({low + size / 2, size, in.large() ? 0.15 : d.uniform("edge length", 0.5, 2)}));
   }
   return merged(bodies);
 }
 
 /// A body in a cavity of a body in a cavity; now and then a shell that is not inside anything.
-Triangles nested(Draw& d) {
+Triangles nested(const Input& in) {
   std::vector<Triangles> bodies;
   double scale = 1;
-  const Triangles first = one_in(d, 2) ? box({Point::Zero(), Point::Constant(1.4), 1}) : blob(d);
-  for (int b = count(d, 2, 5); b > 0; --b) {
+  const Triangles first = in.draws.once_in("box", 2) ? box({Point::Zero(), Point::Constant(1.4), 1})
+                                                     : blob(in.in("blob"));
+  for (int b = 0, count = in.draws.whole("count", 2, 5); b < count; ++b) {
+    const Input body = in.in("shell", b);
+    const Draws& d = body.draws;
     Triangles shell = scaled(first, scale);
-    if (one_in(d, 4)) shell = placed(std::move(shell), d, 0.4);
-    bodies.push_back(bodies.size() % 2 == 1 || one_in(d, 8) ? inverted(std::move(shell))
-                                                            : std::move(shell));
-    scale *= one_in(d, 5) ? 1 : d.random.uniform(0.4, 0.98);
+    if (d.once_in("placed", 4)) shell = placed(std::move(shell), body, 0.4);
+    const bool cavity = b % 2 == 1 || d.once_in("inverted", 8);
+    bodies.push_back(cavity ? inverted(std::move(shell)) : std::move(shell));
+    scale *= d.once_in("the next as large", 5) ? 1 : d.uniform("scale of the next", 0.4, 0.98);
   }
   return merged(bodies);
 }
 
 /// Thin needles over many cells, oblique to every axis.
-Triangles needles(Draw& d) {
+Triangles needles(const Input& in) {
   std::vector<Triangles> bodies;
-  const double thin = std::ldexp(1.0, -count(d, 3, 40));
-  for (int b = count(d, 1, 4); b > 0; --b) {
-    const Point from = vector_in(d.random, 1.2);
-    Point to = vector_in(d.random, 1.2);
-    if (one_in(d, 4)) to = from + Point(0, 0, 1) + vector_in(d.random, 0x1p-20);
-    bodies.push_back(tube({from, to}, {thin, count(d, 3, 4), Ends::capped}));
+  const double thin = std::ldexp(1.0, -in.draws.whole("thin", 3, 40));
+  for (int b = 0, count = in.draws.whole("count", 1, 4); b < count; ++b) {
+    const Draws d = in.draws.in("needle", static_cast<std::uint64_t>(b));
+    const Point from = d.vector("from", 1.2);
+    Point to = d.vector("to", 1.2);
+    if (d.once_in("nearly upright", 4)) to = from + Point(0, 0, 1) + d.vector("off", 0x1p-20);
+    bodies.push_back(tube({from, to}, {thin, d.whole("sides", 3, 4), Ends::capped}));
   }
-  bodies.push_back(placed(blob(d), d, 0.3));
+  const Input body = in.in("blob");
+  bodies.push_back(placed(blob(body), body, 0.3));
   return merged(bodies);
 }
 
 /// Bodies and exact copies of them; cavities, inversions and zeros with a sign tell some apart.
-Triangles copies(Draw& d) {
-  const Triangles body = placed(one_in(d, 2) ? blob(d) : boxes(d), d, 0.4);
+Triangles copies(const Input& in) {
+  const Input original = in.in("original"), other = in.in("other");
+  const Triangles body =
+      placed(in.draws.once_in("of a blob", 2) ? blob(original) : boxes(original), original, 0.4);
   std::vector<Triangles> bodies{body};
-  for (int b = count(d, 1, 3); b > 0; --b) {
+  for (int b = 0, count = in.draws.whole("count", 1, 3); b < count; ++b) {
+    const Input copied = in.in("copy", b);
+    const Draws& d = copied.draws;
     Triangles copy = body;
-    if (one_in(d, 4)) copy = inverted(std::move(copy));
-    if (one_in(d, 4)) copy = scaled(std::move(copy), d.random.uniform(0.5, 1));
-    if (one_in(d, 4)) copy.positions[0][0] = std::nextafter(copy.positions[0][0], 9.0);
-    if (one_in(d, 4)) copy = placed(std::move(copy), d, d.cell);
+    if (d.once_in("inverted", 4)) copy = inverted(std::move(copy));
+    if (d.once_in("scaled", 4)) copy = scaled(std::move(copy), d.uniform("scale", 0.5, 1));
+    if (d.once_in("one bit off", 4))
+      copy.positions[0][0] = std::nextafter(copy.positions[0][0], 9.0);
+    if (d.once_in("placed", 4)) copy = placed(std::move(copy), copied, in.cell);
     bodies.push_back(std::move(copy));
   }
-  if (one_in(d, 2)) bodies.push_back(placed(blob(d), d));
+  if (in.draws.once_in("another body", 2)) bodies.push_back(placed(blob(other), other));
   return merged(bodies);
+}
+
+/// A tetrahedron whose fourth corner is in the plane of the others, or next to it.
+Triangles sliver(const Draws& d) {
+  Triangles body{{d.vector("a", 1), d.vector("b", 1), d.vector("c", 1), {}},
+                 {{0, 1, 2}, {1, 0, 3}, {2, 1, 3}, {0, 2, 3}}};
+  const double u = d.uniform("u", -0.2, 1.2);
+  const double v = d.once_in("on a line", 2) ? 0 : d.uniform("v", -0.2, 1);
+  body.positions[3] = body.positions[0] + u * (body.positions[1] - body.positions[0]) +
+                      v * (body.positions[2] - body.positions[0]);
+  if (d.once_in("off the plane", 3)) body.positions[3] += d.vector("off", 0x1p-30);
+  return body;
+}
+
+/// Some triangle becomes three, about a new vertex on one of its edges or inside it.
+void split_triangle(Triangles& body, const Draws& d) {
+  const Triangle t = body.triangles[d.of("triangle").below(body.triangles.size())];
+  const Point &a = body.positions[t[0]], &b = body.positions[t[1]], &c = body.positions[t[2]];
+  const double u = d.uniform("u", 0, 1);
+  const double v = d.once_in("on an edge", 2) ? 0 : (1 - u) * d.uniform("v", 0, 1);
+  const auto m = static_cast<std::uint32_t>(body.positions.size());
+  body.positions.push_back(Point(a + u * (b - a) + v * (c - a)));
+  for (Triangle& old : body.triangles)
+    if (old == t) old = {t[0], t[1], m};
+  body.triangles.push_back({t[1], t[2], m});
+  body.triangles.push_back({t[2], t[0], m});
 }
 
 /// Flat tetrahedra and split triangles: no area, no volume, collinear corners.
-Triangles slivers(Draw& d) {
+Triangles slivers(const Input& in) {
   std::vector<Triangles> bodies;
-  for (int b = count(d, 2, 8); b > 0; --b) {
-    Triangles body{{vector_in(d.random, 1), vector_in(d.random, 1), vector_in(d.random, 1), {}},
-                   {{0, 1, 2}, {1, 0, 3}, {2, 1, 3}, {0, 2, 3}}};
-    const double u = d.random.uniform(-0.2, 1.2), v = one_in(d, 2) ? 0 : d.random.uniform(-0.2, 1);
-    body.positions[3] = body.positions[0] + u * (body.positions[1] - body.positions[0]) +
-                        v * (body.positions[2] - body.positions[0]);
-    if (one_in(d, 3)) body.positions[3] += vector_in(d.random, 0x1p-30);
-    bodies.push_back(std::move(body));
-  }
-  Triangles main = placed(blob(d), d, 0.3);
-  for (int k = count(d, 0, 6); k > 0; --k) {  // a vertex on an edge or in a triangle
-    const Triangle t = main.triangles[d.random.below(main.triangles.size())];
-    const Point &a = main.positions[t[0]], &b = main.positions[t[1]], &c = main.positions[t[2]];
-    const double u = d.random.uniform(), v = one_in(d, 2) ? 0 : (1 - u) * d.random.uniform();
-    const auto m = static_cast<std::uint32_t>(main.positions.size());
-    main.positions.push_back(Point(a + u * (b - a) + v * (c - a)));
-    for (Triangle& old : main.triangles)
-      if (old == t) old = {t[0], t[1], m};
-    main.triangles.push_back({t[1], t[2], m});
-    main.triangles.push_back({t[2], t[0], m});
-  }
-  bodies.push_back(std::move(main));
+  for (int b = 0, count = in.draws.whole("count", 2, 8); b < count; ++b)
+    bodies.push_back(sliver(in.in("sliver", b).draws));
+  const Input main = in.in("blob");
+  Triangles body = placed(blob(main), main, 0.3);
+  for (int k = 0, count = in.draws.whole("splits", 0, 6); k < count; ++k)
+    split_triangle(body, in.in("split", k).draws);
+  bodies.push_back(std::move(body));
   return merged(bodies);
 }
 
-struct Maker {
-  const char* name;
-  Triangles (*make)(Draw&);
-};
-constexpr std::array<Maker, 13> kMakers = {{{"blobs", blobs},
-                                            {"boxes", boxes},
-                                            {"carved", carved},
-                                            {"copies", copies},
-                                            {"dumbbells", dumbbells},
-                                            {"needles", needles},
-                                            {"nested", nested},
-                                            {"roll", roll},
-                                            {"sheets", sheets},
-                                            {"slivers", slivers},
-                                            {"soup", soup},
-                                            {"tangle", tangle},
-                                            {"tori", tori}}};
-
 }  // namespace
 
-std::vector<std::string> generator_names() {
-  std::vector<std::string> names;
-  for (const Maker& maker : kMakers) names.emplace_back(maker.name);
-  return names;
+GeneratorInput GeneratorInput::in(const char* part, int index) const {
+  return {draws.in(part, static_cast<std::uint64_t>(index)), cell, size};
 }
 
-Triangles generate(const std::string& name, Draw draw) {
-  for (const Maker& maker : kMakers)
-    if (name == maker.name) return maker.make(draw);
-  throw InvalidInput("there is no generator \"" + name + "\"; there are " +
-                     joined(generator_names()));
+const std::vector<Generator>& generators() {
+  static const std::vector<Generator> all = {
+      {"blobs", blobs},     {"boxes", boxes},         {"carved", carved},
+      {"copies", copies},   {"dumbbells", dumbbells}, {"needles", needles},
+      {"nested", nested},   {"roll", roll},           {"sheets", sheets},
+      {"slivers", slivers}, {"soup", soup},           {"tangle", tangle},
+      {"tori", tori}};
+  return all;
+}
+
+const Generator& generator_named(const std::string& name, const std::vector<Generator>& known) {
+  std::vector<std::string> names;
+  for (const Generator& generator : known) {
+    if (generator.name == name) return generator;
+    names.push_back(generator.name);
+  }
+  throw InvalidInput("there is no generator \"" + name + "\"; there are " + joined(names));
 }
 
 }  // namespace suture::sims

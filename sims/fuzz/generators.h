@@ -4,22 +4,36 @@
 #include <string>
 #include <vector>
 
-#include "kernel/random.h"
 #include "kernel/triangles.h"
+#include "sims/fuzz/draws.h"
 
 namespace suture::sims {
 
-/// What a generator may draw on. Surfaces are about one unit across.
-struct Draw {
-  Random& random;
-  double cell;  ///< of the lattice that is to come, in the same unit
-  bool large;   ///< a few cases are ten times finer
+enum class CaseSize {
+  usual,
+  large  ///< about ten times finer; a few cases are
+};
+
+/// What a generator goes by. Surfaces are about one unit across.
+struct GeneratorInput {
+  Draws draws;
+  double cell;  ///< edge of the cells of the lattice that is to come, in the same unit
+  CaseSize size = CaseSize::usual;
+
+  bool large() const { return size == CaseSize::large; }
+  GeneratorInput in(const char* part, int index = 0) const;  ///< with that part's own draws
+};
+
+struct Generator {
+  std::string name;
+  Triangles (*make)(const GeneratorInput&);
 };
 
 /// All generators, in alphabetical order.
-std::vector<std::string> generator_names();
+const std::vector<Generator>& generators();
 
-/// A surface by the generator of that name. \throw InvalidInput for a name that is not known
-Triangles generate(const std::string& name, Draw draw);
+/// The generator of that name among `known`. \throw InvalidInput for a name that is not known
+const Generator& generator_named(const std::string& name,
+                                 const std::vector<Generator>& known = generators());
 
 }  // namespace suture::sims

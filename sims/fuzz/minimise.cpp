@@ -7,6 +7,7 @@
 
 #include "kernel/measure/measures.h"
 #include "kernel/trace.h"
+#include "sims/fuzz/named_options.h"
 #include "sims/fuzz/smaller.h"
 
 namespace suture::sims {
@@ -15,9 +16,8 @@ namespace {
 
 class Minimiser {
  public:
-  Minimiser(FuzzCase c, const StillFails& still_fails, const SurfaceBefore& before,
-            const MinimiseLimits& limits)
-      : best_{std::move(c), 0}, still_fails_(still_fails), before_(before), limits_(limits) {}
+  Minimiser(FuzzCase c, const Trials& trials, const MinimiseLimits& limits)
+      : best_{std::move(c), 0}, trials_(trials), limits_(limits) {}
 
   Minimised go() {
     for (gained_ = true; gained_ && !over();) {
@@ -43,7 +43,7 @@ class Minimiser {
   bool try_case(FuzzCase c) {
     if (over()) return false;
     ++best_.trials;
-    if (!still_fails_(c)) return false;
+    if (!trials_.still_fails(c)) return false;
     best_.fuzz_case = std::move(c);
     return gained_ = true;
   }
@@ -58,7 +58,7 @@ class Minimiser {
   void start_later() {
     for (std::size_t i = best_.fuzz_case.operations.size(); i-- > 1;) {
       FuzzCase c = best_.fuzz_case;
-      c.surface = before_(c, i);
+      c.surface = trials_.surface_before(c, i);
       if (c.surface.triangles.empty()) continue;
       c.operations.erase(c.operations.begin(),
                          c.operations.begin() + static_cast<std::ptrdiff_t>(i));
@@ -99,25 +99,29 @@ class Minimiser {
       }
   }
 
+  bool try_options(const TrackerOptions& options) {
+    if (named_values(options) == named_values(best_.fuzz_case.options)) return false;
+    FuzzCase c = best_.fuzz_case;
+    c.options = options;
+    return try_case(std::move(c));
+  }
+
+  bool try_option(const std::string& name, const Value& value) {
+    TrackerOptions options = best_.fuzz_case.options;
+    set_option(options, name, value);
+    return try_options(options);
+  }
+
+  /// All of quality's defaults at once, then every option's own, then rounder cells.
   void simpler_options() {
-    const TrackerOptions plain;
-    const auto attempt = [&](auto change) {
-      FuzzCase c = best_.fuzz_case;
-      change(c.options);
-      if (!same_options(c.options, best_.fuzz_case.options)) try_case(std::move(c));
-    };
-    attempt([&](TrackerOptions& o) { o.quality = plain.quality; });
-    attempt([&](TrackerOptions& o) { o.quality.edge_length = 0; });
-    attempt([&](TrackerOptions& o) { o.quality.chord_error = 0; });
-    attempt([&](TrackerOptions& o) { o.origin = plain.origin; });
-    attempt([&](TrackerOptions& o) { o.events = plain.events; });
-    attempt([&](TrackerOptions& o) { o.cell_test = plain.cell_test; });
-    attempt([&](TrackerOptions& o) { o.depth = plain.depth; });
-    attempt([&](TrackerOptions& o) { o.collapse = Collapse::keep; });
-    attempt([&](TrackerOptions& o) { o.placement = plain.placement; });
-    attempt([&](TrackerOptions& o) { o.straighten_turn = plain.straighten_turn; });
-    attempt([&](TrackerOptions& o) { o.cell_size = rounded_to_bits(o.cell_size, 1); });
-    attempt([&](TrackerOptions& o) { o.cell_size = rounded_to_bits(o.cell_size, 4); });
+    TrackerOptions options = best_.fuzz_case.options;
+    options.quality = QualityOptions{};
+    try_options(options);
+    for (const std::string& name : option_names())
+      if (const auto& usual = option_named(name).usual) try_option(name, *usual);
+    try_option("tracker.collapse", "keep");  // does least
+    for (const int bits : {1, 4})
+      try_option("tracker.cell_size", rounded_to_bits(best_.fuzz_case.options.cell_size, bits));
   }
 
   void rounder_positions() {
@@ -148,8 +152,7 @@ class Minimiser {
   }
 
   Minimised best_;
-  const StillFails& still_fails_;
-  const SurfaceBefore& before_;
+  const Trials& trials_;
   const MinimiseLimits& limits_;
   Stopwatch watch_;
   double seconds_ = 0;
@@ -158,9 +161,8 @@ class Minimiser {
 
 }  // namespace
 
-Minimised minimise(FuzzCase c, const StillFails& still_fails, const SurfaceBefore& surface_before,
-                   const MinimiseLimits& limits) {
-  return Minimiser(std::move(c), still_fails, surface_before, limits).go();
+Minimised minimise(FuzzCase c, const Trials& trials, const MinimiseLimits& limits) {
+  return Minimiser(std::move(c), trials, limits).go();
 }
 
 }  // namespace suture::sims

@@ -14,19 +14,22 @@ struct MinimiseLimits {
   int each = 3;         ///< failures of one kind that are minimised and saved
 };
 
-/// Whether a case still fails as the first one did.
-using StillFails = std::function<bool(const FuzzCase&)>;
+/// How the minimiser tries a case.
+struct Trials {
+  /// Whether a case still fails as the first one did.
+  std::function<bool(const FuzzCase&)> still_fails;
 
-/// The surface that a case's operation is given, by its index; empty if it does not come so far.
-using SurfaceBefore = std::function<Triangles(const FuzzCase&, std::size_t)>;
+  /// The surface that an operation is given, by the operation's index; empty if the case ends
+  /// before it.
+  std::function<Triangles(const FuzzCase&, std::size_t)> surface_before;
+};
 
 struct Minimised {
   FuzzCase fuzz_case;
   int trials = 0;  ///< cases tried
 };
 
-/// The smallest case that was found within the limits; it fails. \pre still_fails(c)
-Minimised minimise(FuzzCase c, const StillFails& still_fails, const SurfaceBefore& surface_before,
-                   const MinimiseLimits& limits);
+/// The smallest case that was found within the limits; it fails. \pre trials.still_fails(c)
+Minimised minimise(FuzzCase c, const Trials& trials, const MinimiseLimits& limits);
 
 }  // namespace suture::sims

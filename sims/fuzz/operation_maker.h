@@ -1,9 +1,8 @@
-// The operations of a case: all motions with drawn parameters, displacements, improvements.
+// The operations of a case: motions with drawn parameters, displacements, improvements, remodels.
 #pragma once
 
-#include "kernel/random.h"
-#include "sims/fuzz/case_maker.h"
-#include "sims/fuzz/perturbation.h"
+#include "sims/fuzz/draws.h"
+#include "sims/fuzz/fuzz_case.h"
 
 namespace suture::sims {
 
@@ -14,11 +13,14 @@ struct OperationSizes {
   double cell = 0;
 };
 
-std::vector<Operation> make_operations(Profile profile, const OperationSizes& sizes,
-                                       Random& random);
+/// What operations are drawn from.
+struct OperationDraws {
+  Draws draws;
+  const std::vector<std::string>& motions;  ///< names; one that is not known here has no parameters
+};
 
-/// A displacement as an operation, and back. \throw InvalidInput if `values` do not make one
-Operation displacement(const Spoiling& spoiling);
-Spoiling spoiling_of(const Operation& operation);
+/// Operations that suit the profile, which is not `all`.
+std::vector<Operation> make_operations(Profile profile, const OperationSizes& sizes,
+                                       const OperationDraws& from);
 
 }  // namespace suture::sims

@@ -1,4 +1,4 @@
-// Planes are origin + i · cell rounded once, as the lattice has them: what is snapped lies on them.
+// The same perturbation of the same positions gives the same bits again: corpus files rely on it.
 #include "sims/fuzz/perturbation.h"
 
 #include <cmath>
@@ -12,31 +12,28 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-double plane_near(double x, double origin, double cell) {
-  return origin + std::round((x - origin) / cell) * cell;
-}
-
 double neighbour(double x, Random& random) {
   return std::nextafter(x, random.below(2) == 0 ? -kInfinity : kInfinity);
 }
 
-void spoil_each(std::vector<Point>& positions, const Spoiling& s, double cell, const Point& origin,
-                Random& random) {
+void perturb_coordinates(std::vector<Point>& positions, const Perturbation& s,
+                         const LatticePlanes& planes, Random& random) {
+  const LatticePlanes halves{planes.cell / 2, planes.origin};
   for (Point& p : positions)
     for (int a = 0; a < 3; ++a) {
       if (random.uniform() >= s.share) continue;
       switch (s.how) {
-        case Spoil::noise:
-          p[a] += cell * random.uniform(-s.amount, s.amount);
+        case Perturb::noise:
+          p[a] += planes.cell * random.uniform(-s.amount, s.amount);
           break;
-        case Spoil::snap:
-          p[a] = plane_near(p[a], origin[a], cell);
+        case Perturb::snap:
+          p[a] = planes.nearest(p[a], a);
           break;
-        case Spoil::halve:
-          p[a] = plane_near(p[a], origin[a], cell / 2);
+        case Perturb::halve:
+          p[a] = halves.nearest(p[a], a);
           break;
-        case Spoil::nudge:
-          p[a] = neighbour(plane_near(p[a], origin[a], cell), random);
+        case Perturb::nudge:
+          p[a] = neighbour(planes.nearest(p[a], a), random);
           break;
         default:
           p[a] = neighbour(p[a], random);
@@ -51,31 +48,34 @@ void weld(std::vector<Point>& positions, double share, Random& random) {
 
 }  // namespace
 
-void spoil(std::vector<Point>& positions, const Spoiling& s, double cell, const Point& origin) {
+double LatticePlanes::nearest(double x, int axis) const {
+  return origin[axis] + std::round((x - origin[axis]) / cell) * cell;
+}
+
+void perturb(std::vector<Point>& positions, const Perturbation& s, const LatticePlanes& planes) {
   if (positions.empty()) return;
   Random random(s.seed);
-  const auto axis = static_cast<Eigen::Index>(random.below(3));
+  const int axis = static_cast<int>(random.below(3));
   Point by;
-  for (int a = 0; a < 3; ++a) by[a] = cell * random.uniform(-s.amount, s.amount);
+  for (int a = 0; a < 3; ++a) by[a] = planes.cell * random.uniform(-s.amount, s.amount);
   switch (s.how) {
-    case Spoil::flatten:
+    case Perturb::flatten:
       for (Point& p : positions)
-        if (random.uniform() < s.share)
-          p[axis] = plane_near(positions.front()[axis], origin[axis], cell);
+        if (random.uniform() < s.share) p[axis] = planes.nearest(positions.front()[axis], axis);
       return;
-    case Spoil::weld:
+    case Perturb::weld:
       return weld(positions, s.share, random);
-    case Spoil::shear:
+    case Perturb::shear:
       for (Point& p : positions) p[0] += s.amount * p[2];
       return;
-    case Spoil::translate:
+    case Perturb::translate:
       for (Point& p : positions) p += by;
       return;
-    case Spoil::scale:
-      for (Point& p : positions) p = origin + s.amount * (p - origin);
+    case Perturb::scale:
+      for (Point& p : positions) p = planes.origin + s.amount * (p - planes.origin);
       return;
     default:
-      return spoil_each(positions, s, cell, origin, random);
+      return perturb_coordinates(positions, s, planes, random);
   }
 }
 

@@ -1,4 +1,4 @@
-// Ways to throw vertices about: onto the lattice's planes, lines and nodes, or by a bit.
+// Perturbations put vertices onto the lattice's planes, lines and nodes, or move them by a bit.
 #pragma once
 
 #include <cstdint>
@@ -9,8 +9,8 @@
 
 namespace suture::sims {
 
-/// What becomes of vertices.
-enum class Spoil {
+/// What a perturbation does with vertices.
+enum class Perturb {
   noise,      ///< every coordinate is moved by up to `amount` cells
   snap,       ///< coordinates go onto the nearest plane
   halve,      ///< coordinates go onto the nearest half of a cell
@@ -23,26 +23,34 @@ enum class Spoil {
   scale       ///< all by `amount`, about the lattice's origin
 };
 
-inline constexpr std::array<Named<Spoil>, 10> kSpoilNames = {{{"noise", Spoil::noise},
-                                                              {"snap", Spoil::snap},
-                                                              {"halve", Spoil::halve},
-                                                              {"nudge", Spoil::nudge},
-                                                              {"ulp", Spoil::ulp},
-                                                              {"flatten", Spoil::flatten},
-                                                              {"weld", Spoil::weld},
-                                                              {"shear", Spoil::shear},
-                                                              {"translate", Spoil::translate},
-                                                              {"scale", Spoil::scale}}};
+inline constexpr std::array<Named<Perturb>, 10> kPerturbNames = {{{"noise", Perturb::noise},
+                                                                  {"snap", Perturb::snap},
+                                                                  {"halve", Perturb::halve},
+                                                                  {"nudge", Perturb::nudge},
+                                                                  {"ulp", Perturb::ulp},
+                                                                  {"flatten", Perturb::flatten},
+                                                                  {"weld", Perturb::weld},
+                                                                  {"shear", Perturb::shear},
+                                                                  {"translate", Perturb::translate},
+                                                                  {"scale", Perturb::scale}}};
 
-struct Spoiling {
-  Spoil how = Spoil::noise;
+struct Perturbation {
+  Perturb how = Perturb::noise;
   double amount = 0.3;  ///< in cells, or a factor
   double share = 1;     ///< of the coordinates (weld: of the vertices) that are touched
   std::uint64_t seed = 0;
 };
 
-/// \pre cell is finite and above zero
-void spoil(std::vector<Point>& positions, const Spoiling& spoiling, double cell,
-           const Point& origin);
+/// The lattice's planes, without end: origin + i · cell, rounded once.
+struct LatticePlanes {
+  double cell = 1;
+  Point origin = Point::Zero();
+
+  double nearest(double x, int axis) const;
+};
+
+/// \pre the planes' cell is finite and above zero
+void perturb(std::vector<Point>& positions, const Perturbation& perturbation,
+             const LatticePlanes& planes);
 
 }  // namespace suture::sims

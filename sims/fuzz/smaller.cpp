@@ -4,19 +4,17 @@
 
 #include <algorithm>
 #include <cmath>
-#include <nlohmann/json.hpp>
 
 #include "kernel/audit.h"
 #include "kernel/lattice.h"
 #include "kernel/measure/measures.h"
 #include "kernel/shapes/transform.h"
-#include "sims/output/report_json.h"
 
 namespace suture::sims {
 
 namespace {
 
-/// Without the vertices that no triangle has.
+/// The surface without the vertices that no triangle has.
 Triangles compacted(const Triangles& surface) {
   Triangles result;
   std::vector<std::uint32_t> now(surface.positions.size(), kNone);
@@ -33,15 +31,25 @@ Triangles compacted(const Triangles& surface) {
   return result;
 }
 
-Triangles component(const Triangles& surface, const Components& parts, std::uint32_t k, bool own) {
-  Triangles some{surface.positions, {}};
+struct Parted {
+  Triangles component, others;
+};
+
+Parted parted(const Triangles& surface, std::uint32_t k) {
+  const Components parts = components(surface);
+  Triangles own{surface.positions, {}}, others = own;
   for (std::size_t t = 0; t < surface.triangles.size(); ++t)
-    if ((parts.of_triangle[t] == k) == own) some.triangles.push_back(surface.triangles[t]);
-  return compacted(some);
+    (parts.of_triangle[t] == k ? own : others).triangles.push_back(surface.triangles[t]);
+  return {compacted(own), compacted(others)};
 }
 
-/// Four of the points, far apart, turned so that the volume has the sign asked for.
-Triangles tetrahedron_of(const std::vector<Point>& points, bool positive) {
+Triangles inverted(Triangles surface) {
+  for (Triangle& t : surface.triangles) std::swap(t[1], t[2]);
+  return surface;
+}
+
+/// Four of the points, far apart, with a volume above zero unless they lie in a plane.
+Triangles tetrahedron_of(const std::vector<Point>& points) {
   std::vector<Point> four{points.front()};
   while (four.size() < 4)
     four.push_back(
@@ -54,12 +62,10 @@ Triangles tetrahedron_of(const std::vector<Point>& points, bool positive) {
           return nearest(a) < nearest(b);
         }));
   Triangles result{four, {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}}};
-  if ((volume(result) > 0) != positive)
-    for (Triangle& t : result.triangles) std::swap(t[1], t[2]);
-  return result;
+  return volume(result) > 0 ? result : inverted(std::move(result));
 }
 
-Triangles box_of(const std::vector<Point>& points, bool positive) {
+Triangles box_of(const std::vector<Point>& points) {
   const Box box = bounding_box(points);
   Triangles result;
   for (int c = 0; c < 8; ++c)
@@ -67,25 +73,21 @@ Triangles box_of(const std::vector<Point>& points, bool positive) {
                                   (c & 4 ? box.high : box.low)[2]);
   result.triangles = {{0, 2, 1}, {1, 2, 3}, {4, 5, 6}, {5, 7, 6}, {0, 1, 4}, {1, 5, 4},
                       {2, 6, 3}, {3, 6, 7}, {0, 4, 2}, {2, 4, 6}, {1, 3, 5}, {3, 7, 5}};
-  if (!positive)
-    for (Triangle& t : result.triangles) std::swap(t[1], t[2]);
   return result;
 }
 
 }  // namespace
 
 Triangles without_component(const Triangles& surface, std::uint32_t k) {
-  return component(surface, components(surface), k, false);
+  return parted(surface, k).others;
 }
 
 Triangles component_replaced(const Triangles& surface, std::uint32_t k, Stand stand) {
-  const Components parts = components(surface);
-  const Triangles own = component(surface, parts, k, true);
-  const bool positive = volume(own) >= 0;
-  const Triangles other = stand == Stand::box ? box_of(own.positions, positive)
-                                              : tetrahedron_of(own.positions, positive);
+  const auto [own, others] = parted(surface, k);
+  Triangles other = stand == Stand::box ? box_of(own.positions) : tetrahedron_of(own.positions);
   if (other.triangles.size() >= own.triangles.size()) return {};
-  return merged(std::vector<Triangles>{component(surface, parts, k, false), other});
+  if (!(volume(own) >= 0)) other = inverted(std::move(other));
+  return merged(std::vector<Triangles>{others, other});
 }
 
 bool collapse_edge(Triangles& surface, std::size_t t, std::size_t k) {
@@ -106,10 +108,6 @@ double rounded_to_bits(double x, int bits) {
   int exponent = 0;
   const double mantissa = std::frexp(x, &exponent);
   return std::ldexp(std::nearbyint(std::ldexp(mantissa, bits)), exponent - bits);
-}
-
-bool same_options(const TrackerOptions& a, const TrackerOptions& b) {
-  return to_json(a) == to_json(b);
 }
 
 }  // namespace suture::sims

@@ -2,14 +2,13 @@
 #pragma once
 
 #include "kernel/triangles.h"
-#include "surgery/model/options.h"
 
 namespace suture::sims {
 
 /// The surface without the k-th of its components; the others keep their order.
 Triangles without_component(const Triangles& surface, std::uint32_t k);
 
-/// What may stand for a component: few triangles through some of its extreme points.
+/// A component may give way to one of these: few triangles through some of its extreme points.
 enum class Stand { tetrahedron, box };
 
 /// The component replaced, where that has fewer triangles; else an empty surface.
@@ -21,8 +20,5 @@ bool collapse_edge(Triangles& surface, std::size_t t, std::size_t k);
 
 /// The number with its mantissa rounded to so many bits. \pre bits >= 1
 double rounded_to_bits(double x, int bits);
-
-/// Whether two sets of options are written alike.
-bool same_options(const TrackerOptions& a, const TrackerOptions& b);
 
 }  // namespace suture::sims

@@ -41,19 +41,19 @@ double per_second(std::uint64_t count, double seconds) {
   return seconds > 0 ? static_cast<double>(count) / seconds : 0;
 }
 
-std::uint64_t count_of(const FuzzSummary& s, const std::string& oracle) {
+std::uint64_t count_of(const FuzzSummary& s, const std::string& check) {
   return static_cast<std::uint64_t>(
       std::count_if(s.failures.begin(), s.failures.end(),
-                    [&](const FuzzFailure& f) { return f.oracle == oracle; }));
+                    [&](const FuzzFailure& f) { return f.check == check; }));
 }
 
-json oracles_json(const FuzzSummary& s) {
+json checks_json(const FuzzSummary& s) {
   json result = json::object();
   for (const auto& [name, count] : s.checks)
     result[name] = {{"checks", count}, {"failures", count_of(s, name)}};
   for (const FuzzFailure& f : s.failures)
-    if (!result.contains(f.oracle))
-      result[f.oracle] = {{"checks", 0}, {"failures", count_of(s, f.oracle)}};
+    if (!result.contains(f.check))
+      result[f.check] = {{"checks", 0}, {"failures", count_of(s, f.check)}};
   return result;
 }
 
@@ -105,14 +105,14 @@ json to_json(const FuzzSummary& s) {
   for (const SeedRange& r : s.seeds) seeds.push_back({{"first", r.first}, {"cases", r.cases}});
   for (const FuzzFailure& f : s.failures)
     failures.push_back(
-        {{"seed", f.seed}, {"oracle", f.oracle}, {"cause", f.cause}, {"file", f.file}});
+        {{"seed", f.seed}, {"oracle", f.check}, {"cause", f.cause}, {"file", f.file}});
   for (const auto& [name, g] : s.generators)
     generators[name] = {{"cases", g.cases}, {"remodels", g.remodels}, {"surgeries", g.surgeries}};
   return {{"version", s.settings.version},
           {"profile", s.settings.profile},
           {"arithmetic", s.settings.arithmetic},
           {"collapse", s.settings.collapse},
-          {"oracles_asked", s.settings.oracles},
+          {"oracles_asked", s.settings.checks},
           {"jitter", s.settings.jitter},
           {"seeds", seeds},
           {"cases", s.cases},
@@ -124,7 +124,7 @@ json to_json(const FuzzSummary& s) {
           {"operations", s.operations},
           {"refused", s.refused},
           {"ended_early", s.ended},
-          {"oracles", oracles_json(s)},
+          {"oracles", checks_json(s)},
           {"generators", generators},
           {"failures", failures},
           {"crashes", count_of(s, "crash")},
@@ -149,8 +149,8 @@ FuzzSummary summary_from_json(const json& j, const std::string& name) try {
   s.operations = j.at("operations");
   s.refused = j.at("refused");
   s.ended = j.at("ended_early");
-  for (const auto& [oracle, counts] : j.at("oracles").items())
-    if (counts.at("checks") != 0) s.checks[oracle] = counts.at("checks");
+  for (const auto& [check, counts] : j.at("oracles").items())
+    if (counts.at("checks") != 0) s.checks[check] = counts.at("checks");
   for (const auto& [generator, g] : j.at("generators").items())
     s.generators[generator] = {g.at("cases"), g.at("remodels"), g.at("surgeries")};
   for (const json& f : j.at("failures"))

@@ -10,11 +10,11 @@
 
 namespace suture::sims {
 
-/// One case on which an oracle objected; crashes and hangs are oracles too.
+/// A case to which a check objected; "crash" and "hang" count as checks.
 struct FuzzFailure {
   std::uint64_t seed = 0;
-  std::string oracle, cause;  ///< one line
-  std::string file;           ///< the minimal case in the corpus, if one was saved
+  std::string check, cause;  ///< one line each
+  std::string file;          ///< the minimal case in the corpus, if one was saved
 };
 
 struct SeedRange {
@@ -23,7 +23,7 @@ struct SeedRange {
 
 /// The asked settings; summaries are merged only where these are the same.
 struct FuzzSettings {
-  std::string version, profile, arithmetic, collapse, oracles;
+  std::string version, profile, arithmetic, collapse, checks;
   double jitter = 0;
 
   bool operator==(const FuzzSettings&) const = default;
@@ -44,7 +44,7 @@ struct FuzzSummary {
   std::map<std::string, std::uint64_t> operations;  ///< done, by kind and motion
   std::map<std::string, std::uint64_t> refused;     ///< remodels, by cause, its numbers as #
   std::map<std::string, std::uint64_t> ended;       ///< cases ended early, by cause: not failures
-  std::map<std::string, std::uint64_t> checks;      ///< by oracle
+  std::map<std::string, std::uint64_t> checks;      ///< made, by name
   std::map<std::string, GeneratorTally> generators;
   std::vector<FuzzFailure> failures;  ///< by seed
   double cpu_seconds = 0, wall_seconds = 0;

@@ -1,5 +1,5 @@
-// Oracles that look at one surface, or at the surfaces before and after one remodel.
-#include "sims/fuzz/checks.h"
+// Whole surfaces are marched and measured again, whatever the tracker thinks of them.
+#include "sims/fuzz/surface_checks.h"
 
 #include <fmt/format.h>
 
@@ -9,21 +9,13 @@
 #include <set>
 
 #include "kernel/audit.h"
-#include "kernel/errors.h"
 #include "kernel/random.h"
-#include "sims/support/keys.h"
 #include "surgery/check/surgery_check.h"
 #include "surgery/tracker.h"
 
 namespace suture::sims {
 
 namespace {
-
-constexpr std::uint64_t kSampled = 64;  // one seed in so many is asked the slow oracles
-
-bool committed(const Observation& o) {
-  return o.surgery != nullptr && o.surgery->outcome == Outcome::committed;
-}
 
 /// With jitter each remodel moves the surface first: vertices, and nodes' sides, may change.
 bool jitters(const Observation& o) {
@@ -93,7 +85,7 @@ double solid_angle(const Triangles& surface, const Point& at) {
 
 /// Surgery and improvement leave a closed, oriented, edge- and vertex-manifold, finite surface, or
 /// nothing at all: Suture's claim.
-Objection object_audit(const Observation& o) {
+Objection check_audit(const Observation& o) {
   if ((!committed(o) && o.quality == nullptr) || o.after.triangles.empty()) return {};
   const Audit result = audit(o.after);
   if (result.closed_manifold() && result.isolated_vertices == 0) return {};
@@ -101,14 +93,14 @@ Objection object_audit(const Observation& o) {
 }
 
 /// A remodel that changes nothing, or is refused, leaves every bit: it works on a copy.
-Objection object_bits(const Observation& o) {
+Objection check_bits(const Observation& o) {
   if (o.surgery == nullptr || committed(o) || same_bits(o.before, o.after)) return {};
   return o.surgery->outcome == Outcome::refused ? "a refused remodel changed the surface"
                                                 : "an unchanged surface has other bits";
 }
 
 /// An old vertex that survives is where it was, and only it is mapped there: surgery moves nothing.
-Objection object_map(const Observation& o) {
+Objection check_map(const Observation& o) {
   if (o.surgery == nullptr) return {};
   const auto& map = o.surgery->vertex_map;
   if (o.before.triangles.empty() || jitters(o)) return {};
@@ -126,7 +118,7 @@ Objection object_map(const Observation& o) {
 }
 
 /// The marches along x, y and z count the same windings on any closed surface.
-Objection object_marches(const Observation& o) {
+Objection check_marches(const Observation& o) {
   if (!committed(o) || o.after.triangles.empty()) return {};
   if (SurfaceCheck(o.after, lattice_of(o.after.positions, o.options)).marches_agree()) return {};
   return "the marches along the axes disagree on the surface after a remodel";
@@ -136,7 +128,7 @@ Objection object_marches(const Observation& o) {
 /// or it is within rounding of the surface. Here both whole surfaces are marched; the remodel's own
 /// audit marches what was taken out and put in. Both miss sides that change where all cells were
 /// re-sampled, as they may with one event [papers/proof.md, 9.3].
-Objection object_invariance(const Observation& o) {
+Objection check_invariance(const Observation& o) {
   if (!committed(o) || jitters(o)) return {};
   const Lattice lattice = lattice_of(o.before.positions, o.options);
   const SurfaceCheck before(o.before, lattice), after(o.after, lattice);
@@ -158,7 +150,7 @@ Objection object_invariance(const Observation& o) {
 /// again: a known limit.) A node within rounding of the surface may have changed its side. Another
 /// known limit: copies of bodies are dropped all or none, so those that something else kept may be
 /// dropped once that is re-sampled.
-Objection object_settled(const Observation& o) {
+Objection check_settled(const Observation& o) {
   if (o.surgery == nullptr || o.moved || o.options.cell_test != CellTest::deep ||
       o.options.depth < 1 || jitters(o) || !committed(o) || o.surgery->region.empty())
     return {};
@@ -171,7 +163,7 @@ Objection object_settled(const Observation& o) {
 
 /// The winding that marches count is the solid angle over 4π, at nodes that are not near the
 /// surface: there the angle is smooth, and known to more digits than asked for.
-Objection object_solid_angle(const Observation& o) {
+Objection check_solid_angle(const Observation& o) {
   if (o.surgery == nullptr || o.after.triangles.empty()) return {};
   const Lattice lattice = lattice_of(o.after.positions, o.options);
   const SurfaceCheck check(o.after, lattice);
@@ -183,53 +175,18 @@ Objection object_solid_angle(const Observation& o) {
   for (int sample = 0; sample < 12 && !nodes.empty(); ++sample) {
     const Index3 node = nodes[random.below(nodes.size())];
     if (!(std::abs(distance.at(node)) > 0x1p-10 * scale)) continue;
-    const auto objection = compare_winding(o.after, lattice, node, check.winding(node));
+    const auto objection = compare_winding(o.after, lattice, {node, check.winding(node)});
     if (objection) return objection;
   }
   return {};
 }
 
-Objection compare_winding(const Triangles& surface, const Lattice& lattice, const Index3& node,
-                          int winding) {
-  const double angle = solid_angle(surface, lattice.node(node));
-  if (std::abs(angle - winding) < 0.01) return {};
-  return fmt::format("{} has winding {} but solid angle {}", name_of(node), winding, angle);
-}
-
-const std::vector<FuzzOracle>& fuzz_oracles() {
-  static const std::vector<FuzzOracle> oracles = {{"audit", true, object_audit},
-                                                  {"bits", true, object_bits},
-                                                  {"map", true, object_map},
-                                                  {"marches", true, object_marches},
-                                                  {"invariance", true, object_invariance},
-                                                  {"settled", true, object_settled},
-                                                  {"solid_angle", false, object_solid_angle},
-                                                  {"rational", false, object_rational},
-                                                  {"scaling", false, object_scaling},
-                                                  {"axes", false, object_axes},
-                                                  {"cells", false, object_cells},
-                                                  {"order", false, object_order}};
-  return oracles;
-}
-
-OracleChoice::OracleChoice(const std::string& words) : words_(words) {
-  if (words == "sampled" || words == "fast" || words == "all") return;
-  std::vector<std::string> known;
-  for (const FuzzOracle& oracle : fuzz_oracles()) known.emplace_back(oracle.name);
-  for (std::size_t from = 0; from <= words.size();) {
-    const std::size_t comma = std::min(words.find(',', from), words.size());
-    names_.push_back(words.substr(from, comma - from));
-    if (std::find(known.begin(), known.end(), names_.back()) == known.end())
-      throw InvalidInput("there is no oracle \"" + names_.back() +
-                         "\"; give sampled, fast, all, or some of " + joined(known));
-    from = comma + 1;
-  }
-}
-
-bool OracleChoice::asks(const FuzzOracle& oracle, std::uint64_t seed) const {
-  if (!names_.empty()) return std::find(names_.begin(), names_.end(), oracle.name) != names_.end();
-  if (oracle.fast || words_ == "all") return true;
-  return words_ == "sampled" && Random(~seed).below(kSampled) == 0;
+Objection compare_winding(const Triangles& surface, const Lattice& lattice,
+                          const NodeWinding& claim) {
+  const double angle = solid_angle(surface, lattice.node(claim.node));
+  if (std::abs(angle - claim.winding) < 0.01) return {};
+  return fmt::format("{} has winding {} but solid angle {}", name_of(claim.node), claim.winding,
+                     angle);
 }
 
 }  // namespace suture::sims

@@ -1,6 +1,4 @@
-// Oracles that remodel a twin of the surface before, and compare what comes out.
-//
-// What is promised, and why:
+// The promises about twins, and their reasons.
 // - rational: the same bits. Both arithmetics are exact, positions are rounded from exact values.
 // - scaling by 2^k, lengths in the options with it: the same bits, scaled. Nothing is rounded
 //   differently as long as no number leaves the normal range; what is clamped next to a plane at 0
@@ -17,6 +15,8 @@
 //   region has regrown, only what was found before is promised to be the same.
 // - axes, turned cyclically: as for the order, but only without ties, which the symbolic shift
 //   settles by the order of the axes.
+#include "sims/fuzz/twin_checks.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -26,7 +26,7 @@
 #include "kernel/lists.h"
 #include "kernel/measure/measures.h"
 #include "kernel/random.h"
-#include "sims/fuzz/checks.h"
+#include "sims/fuzz/named_options.h"
 #include "surgery/check/surgery_check.h"
 #include "surgery/tracker.h"
 
@@ -164,7 +164,7 @@ bool planes_moved_exactly(const Lattice& a, const Lattice& b, const Point& by) {
 
 }  // namespace
 
-Objection object_rational(const Observation& o) {
+Objection check_rational(const Observation& o) {
   if (!applies(o)) return {};
   TrackerOptions options = o.options;
   options.arithmetic = Arithmetic::rational;
@@ -174,7 +174,7 @@ Objection object_rational(const Observation& o) {
   return {};
 }
 
-Objection object_scaling(const Observation& o) {
+Objection check_scaling(const Observation& o) {
   if (!applies(o)) return {};
   Random random(o.seed);
   const int k = static_cast<int>(random.below(81)) - 40;
@@ -183,10 +183,7 @@ Objection object_scaling(const Observation& o) {
   if (!same_bits(scaled_exactly(twin_before, 1 / factor), o.before) || has_subnormals(o.before))
     return {};
   TrackerOptions options = o.options;
-  options.cell_size *= factor;
-  options.origin *= factor;
-  options.quality.edge_length *= factor;
-  options.quality.chord_error *= factor;
+  scale_lengths(options, k);
   const Twin twin = remodelled(twin_before, options);
   if (const auto d = compare_counts(*o.surgery, twin.report))
     return fmt::format("times 2^{}: {}", k, *d);
@@ -197,7 +194,7 @@ Objection object_scaling(const Observation& o) {
   return {};
 }
 
-Objection object_axes(const Observation& o) {
+Objection check_axes(const Observation& o) {
   if (!applies(o) || count_ties(o.before, lattice_of(o.before.positions, o.options)) != 0)
     return {};
   TrackerOptions options = o.options;
@@ -209,7 +206,7 @@ Objection object_axes(const Observation& o) {
   return {};
 }
 
-Objection object_cells(const Observation& o) {
+Objection check_cells(const Observation& o) {
   if (!applies(o)) return {};
   Random random(o.seed);
   Point by;
@@ -232,7 +229,7 @@ Objection object_cells(const Observation& o) {
   return {};
 }
 
-Objection object_order(const Observation& o) {
+Objection check_order(const Observation& o) {
   if (!applies(o)) return {};
   Random random(o.seed);
   const Twin twin = remodelled(reordered(o.before, random), o.options);

@@ -1,0 +1,14 @@
+// A perturbation as an operation of a case, and back.
+#pragma once
+
+#include "sims/fuzz/fuzz_case.h"
+#include "sims/fuzz/perturbation.h"
+
+namespace suture::sims {
+
+Operation displacement(const Perturbation& perturbation);
+
+/// \throw InvalidInput if the operation's values do not make a perturbation
+Perturbation perturbation_of(const Operation& operation);
+
+}  // namespace suture::sims
