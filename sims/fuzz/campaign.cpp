@@ -1,4 +1,4 @@
-// Batches of seeds go to forked workers in order; each tells of a case when it begins and ends.
+// Batches of seeds go to forked workers in order. A worker says when a case begins and ends.
 #include "sims/fuzz/campaign.h"
 
 #include <fmt/format.h>
@@ -22,7 +22,7 @@ namespace {
 
 constexpr std::uint64_t kBatch = 64;
 
-/// A worker on its range, and what is known of where it is.
+/// A worker, its range of seeds, and the case that it has begun.
 struct Worker {
   Child child;
   SeedRange range;                       ///< not yet done

@@ -1,4 +1,4 @@
-// A campaign: a range of seeds run by forked workers, so that crashes and hangs are only results.
+// A campaign runs a range of seeds by forked workers, so that crashes and hangs are only results.
 #pragma once
 
 #include <functional>
@@ -15,10 +15,10 @@ struct CampaignOptions {
   double case_seconds = 20;  ///< of a core; a case that takes longer hangs
 };
 
-/// What one case came to; called in a worker, so it may crash or never return.
+/// Runs the case of a seed. It is called in a worker, so it may crash or never return.
 using CaseRunner = std::function<FuzzSummary(std::uint64_t seed)>;
 
-/// Told of the counts so far, and of the seconds since the start, some ten times a second.
+/// Hears the counts so far and the seconds since the start, some ten times a second.
 using CampaignWatcher = std::function<void(const FuzzSummary&, double seconds)>;
 
 /// Runs the seeds from `first` on. A worker that dies or exceeds case_seconds is a failure of the

@@ -15,7 +15,7 @@ namespace suture::sims {
 
 namespace {
 
-/// Always a float to TOML, the sign of zero kept.
+/// The number as TOML reads a float, with the sign of zero.
 std::string number(double x) {
   std::string text = fmt::format("{}", x);
   if (text.find_first_of(".en") == std::string::npos) text += ".0";
@@ -39,7 +39,7 @@ std::string written(const Value& value) {
   return std::visit(Writer{}, value);
 }
 
-/// Each option in a line, in alphabetical order.
+/// The options, one a line, in alphabetical order.
 template <class Options>
 std::string lines_of(const Options& options, const OptionTable<Options>& table) {
   const auto list = values(options, table);

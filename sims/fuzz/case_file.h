@@ -1,4 +1,4 @@
-// Cases as self-contained TOML files: every number to the last bit, the cause in the first line.
+// Cases are kept as TOML files that refer to nothing outside, with every number to the last bit.
 #pragma once
 
 #include <filesystem>
@@ -15,7 +15,8 @@ struct CorpusCase {
   std::string cause;  ///< one line
 };
 
-/// TOML; numbers are the shortest decimals that give the same double again.
+/// The case as TOML, its cause in the first line. Numbers are the shortest decimals that give the
+/// same double again.
 std::string to_toml(const CorpusCase& c);
 
 /// \throw InvalidInput with file, line and what is wrong if it is not what to_toml gives

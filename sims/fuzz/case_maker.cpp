@@ -1,5 +1,4 @@
-// Surfaces are drawn about one unit across, with their operations; the whole case is then moved and
-// scaled.
+// A surface is drawn about one unit across. A hostile case is then moved or scaled as a whole.
 #include "sims/fuzz/case_maker.h"
 
 #include <cmath>
@@ -43,7 +42,8 @@ void scale_by_power(int exponent, FuzzCase& c, OperationSizes& sizes) {
   scale_lengths(c.options, exponent);
 }
 
-/// By a power of two nothing changes but the exponents; far away features vanish into rounding.
+/// The case is scaled or moved, or stays. A power of two changes nothing but the exponents; far
+/// from the origin small features vanish into rounding.
 void take_elsewhere(FuzzCase& c, const Draws& d, OperationSizes& sizes) {
   const std::string how =
       d.choice("elsewhere", {"scaled", "scaled far", "moved", "here", "here", "here"});

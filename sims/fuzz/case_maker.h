@@ -1,4 +1,4 @@
-// From a seed to a case: the same case for the same seed, everywhere.
+// A seed becomes a case: the same case on every machine.
 #pragma once
 
 #include <optional>
@@ -9,7 +9,7 @@
 
 namespace suture::sims {
 
-/// What a campaign asks of its cases; whatever is not given the seed decides.
+/// A campaign asks this of its cases. The seed decides whatever is not given.
 struct CaseOptions {
   Profile profile = Profile::all;
   Arithmetic arithmetic = Arithmetic::filtered;

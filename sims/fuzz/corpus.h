@@ -1,4 +1,4 @@
-// Failures become minimal cases in a folder, each with its cause; and cases are tried in isolation.
+// Failures become minimal cases in a folder, each with its cause. Cases are tried in isolation.
 #pragma once
 
 #include <filesystem>
@@ -19,7 +19,7 @@ FuzzSummary run_in_child(const FuzzCase& c, const CheckChoice& checks, double se
 /// The failure of run_in_child, if there is one.
 std::optional<FuzzFailure> failure_of(const FuzzCase& c, const CheckChoice& checks, double seconds);
 
-/// Where failing cases are saved, by which checks they were found, and how small they are to be.
+/// The folder for failing cases, the checks that found them, and the minimiser's limits.
 struct CorpusOptions {
   std::filesystem::path folder;
   CheckChoice checks;

@@ -1,4 +1,4 @@
-// The names of the values are those of case files, where they stay for ever.
+// Values have the names that case files have for them, so the names may not change.
 #include "sims/fuzz/displacement.h"
 
 namespace suture::sims {

@@ -1,4 +1,4 @@
-// A perturbation as an operation of a case, and back.
+// A perturbation becomes an operation of a case, and the operation a perturbation again.
 #pragma once
 
 #include "sims/fuzz/fuzz_case.h"

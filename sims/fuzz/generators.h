@@ -14,7 +14,7 @@ enum class CaseSize {
   large  ///< about ten times finer; a few cases are
 };
 
-/// What a generator goes by. Surfaces are about one unit across.
+/// A generator makes a surface of this and nothing else. Surfaces are about one unit across.
 struct GeneratorInput {
   Draws draws;
   double cell;  ///< edge of the cells of the lattice that is to come, in the same unit

@@ -1,5 +1,5 @@
-// Greedy: whatever still fails and is smaller is taken, from the coarsest cuts to the finest, until
-// a whole round gains nothing.
+// The search is greedy: whatever is smaller and still fails is taken, from the coarsest cuts to the
+// finest, until a whole round gains nothing.
 #include "sims/fuzz/minimise.h"
 
 #include <algorithm>
@@ -54,7 +54,7 @@ class Minimiser {
     return !c.surface.triangles.empty() && try_case(std::move(c));
   }
 
-  /// The surface that an operation is given becomes the case's, and what was done before it goes.
+  /// The surface that an operation is given becomes the case's, and earlier operations go.
   void start_later() {
     for (std::size_t i = best_.fuzz_case.operations.size(); i-- > 1;) {
       FuzzCase c = best_.fuzz_case;

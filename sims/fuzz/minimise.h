@@ -1,4 +1,4 @@
-// From a failing case to a small one that fails alike: fewer operations, fewer triangles, rounder
+// A failing case becomes a small one that fails alike: fewer operations, fewer triangles, rounder
 // numbers.
 #pragma once
 

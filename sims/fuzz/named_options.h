@@ -13,7 +13,7 @@ namespace suture::sims {
 /// Every option of the tracker's two tables, in their order.
 std::vector<std::string> option_names();
 
-/// What the tables say of an option. \throw InvalidInput for a name that is not known
+/// The row of an option in its table. \throw InvalidInput for a name that is not known
 const OptionInfo& option_named(const std::string& name);
 
 /// \throw InvalidInput for a name that is not known, or a value that the option does not allow

@@ -21,7 +21,7 @@ struct Observation {
   bool moved = true;  ///< whether anything but a committed remodel came just before
 };
 
-/// What is wrong, in one line; nothing if nothing is.
+/// A check's complaint in one line; empty if nothing is wrong.
 using Objection = std::optional<std::string>;
 
 /// Whether a remodel changed the surface.

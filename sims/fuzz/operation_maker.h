@@ -13,10 +13,10 @@ struct OperationSizes {
   double cell = 0;
 };
 
-/// What operations are drawn from.
+/// The source of a case's operations.
 struct OperationDraws {
   Draws draws;
-  const std::vector<std::string>& motions;  ///< names; one that is not known here has no parameters
+  const std::vector<std::string>& motions;  ///< a name not known here has no parameters
 };
 
 /// Operations that suit the profile, which is not `all`.

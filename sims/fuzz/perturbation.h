@@ -9,7 +9,7 @@
 
 namespace suture::sims {
 
-/// What a perturbation does with vertices.
+/// The kinds of perturbations.
 enum class Perturb {
   noise,      ///< every coordinate is moved by up to `amount` cells
   snap,       ///< coordinates go onto the nearest plane

@@ -1,5 +1,5 @@
-// Combinatorial steps; the audit of the whole says whether one is allowed, which is cheap enough
-// for small cases.
+// An audit of the whole surface says whether a step is allowed, which is cheap enough for small
+// cases.
 #include "sims/fuzz/smaller.h"
 
 #include <algorithm>

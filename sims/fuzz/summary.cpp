@@ -24,7 +24,7 @@ bool overlap(const SeedRange& a, const SeedRange& b) {
   return a.first < b.first ? b.first - a.first < a.cases : a.first - b.first < b.cases;
 }
 
-/// In increasing order, joined where they touch.
+/// The ranges in increasing order, joined where they touch.
 std::vector<SeedRange> tidied(std::vector<SeedRange> ranges) {
   std::sort(ranges.begin(), ranges.end(),
             [](const SeedRange& a, const SeedRange& b) { return a.first < b.first; });

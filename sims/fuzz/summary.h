@@ -1,4 +1,4 @@
-// What a campaign did, as counts that add up over disjoint ranges of seeds, and as JSON.
+// A campaign's summary: counts that add up over disjoint ranges of seeds, and their JSON.
 #pragma once
 
 #include <cstdint>

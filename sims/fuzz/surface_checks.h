@@ -1,5 +1,5 @@
 // Checks that look at one surface, or at the surfaces before and after one remodel. Each says in
-// its source what is promised and why, and objects to nothing where the promise does not apply.
+// its source what is promised and why. Where the promise does not apply it objects to nothing.
 #pragma once
 
 #include "kernel/lattice.h"
