@@ -27,7 +27,7 @@ struct Settings {
   CaseOptions cases;
   Collapse collapse = Collapse::straighten;
   double jitter = TrackerOptions{}.jitter;
-  std::string checks = "sampled";
+  std::string oracles = "sampled";
   std::vector<std::string> replay, merge;
   std::uint64_t show = 0;
   fs::path corpus, summary, out;
@@ -94,13 +94,13 @@ int finish(const FuzzSummary& summary, const fs::path& file) {
 
 int run_cases(const Settings& s) {
   if (!s.summary.empty()) require_folder_of(s.summary);
-  const CheckChoice checks(s.checks);
+  const CheckChoice oracles(s.oracles);
   FuzzSummary summary;
   {
     FuzzProgress progress;
     summary = run_campaign(
         s.campaign,
-        [&](std::uint64_t seed) { return run_case(make_case(seed, s.cases), checks).counts; },
+        [&](std::uint64_t seed) { return run_case(make_case(seed, s.cases), oracles).counts; },
         [&](const FuzzSummary& so_far, double seconds) {
           progress.draw(so_far, seconds, s.campaign);
         });
@@ -109,21 +109,21 @@ int run_cases(const Settings& s) {
                       word_of(s.cases.profile, kProfileNames),
                       word_of(s.cases.arithmetic, kArithmeticNames),
                       s.cases.collapse ? word_of(*s.cases.collapse, kCollapseNames) : "any",
-                      s.checks,
+                      s.oracles,
                       s.cases.arithmetic == Arithmetic::rounded ? s.jitter : 0};
   if (!s.corpus.empty())
     save_failures(summary, [&](std::uint64_t seed) { return make_case(seed, s.cases); },
-                  {s.corpus, checks, s.limits});
+                  {s.corpus, oracles, s.limits});
   return finish(summary, s.summary);
 }
 
 int replay(const Settings& s, const CLI::App& command) {
-  const CheckChoice checks(command.count("--oracles") == 0 ? "all" : s.checks);
+  const CheckChoice oracles(command.count("--oracles") == 0 ? "all" : s.oracles);
   int exit = kDone;
   for (const std::string& file : s.replay) {
     CorpusCase c = read_case(file);
     if (command.count("--arithmetic") != 0) c.fuzz_case.options.arithmetic = s.cases.arithmetic;
-    const FuzzSummary run = run_in_child(c.fuzz_case, checks, s.campaign.case_seconds);
+    const FuzzSummary run = run_in_child(c.fuzz_case, oracles, s.campaign.case_seconds);
     if (!run.failures.empty()) {
       exit = kNo;
       fmt::print("{}: {}: {}\n", file, run.failures[0].check, run.failures[0].cause);
@@ -189,7 +189,7 @@ void add_campaign_options(CLI::App& command, Settings& s) {
       ->capture_default_str()
       ->type_name("X");
   command
-      .add_option("--oracles", s.checks,
+      .add_option("--oracles", s.oracles,
                   "sampled (fast ones always, others on one seed in 64), fast, all, or names")
       ->capture_default_str()
       ->type_name("O");
