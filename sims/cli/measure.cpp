@@ -9,6 +9,7 @@
 #include "sims/cli/inputs.h"
 #include "sims/cli/progress_bar.h"
 #include "sims/study/measurement.h"
+#include "sims/study/table/table.h"
 
 namespace suture::sims {
 namespace {

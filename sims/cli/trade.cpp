@@ -5,11 +5,12 @@
 #include <unistd.h>
 
 #include "sims/cli/commands.h"
+#include "sims/study/table/trade_row.h"
 
 namespace suture::sims {
 namespace {
 
-/// One line that is drawn over where somebody watches, a line a run where nobody does.
+/// Draws over a single line where somebody watches, and writes a line a run where nobody does.
 class TradeProgress : public TradeWatcher {
  public:
   void planned(std::size_t runs, std::size_t there) override {
@@ -40,6 +41,22 @@ int run_trade(const TradeOptions& options) {
   if (s.trouble.empty()) return kDone;
   fmt::print(stderr, "{}\n", s.trouble);
   return kBadInput;
+}
+
+/// The options of how runs are made, which do not say what is compared.
+void add_run_options(CLI::App& command, TradeOptions& o) {
+  command
+      .add_option("--jobs", o.processes.jobs, "Processes at a time; above 1 seconds are noisier")
+      ->check(CLI::Range(1, 1024));
+  command.add_option("--repeat", o.repeat, "Processes for each run, whose medians count")
+      ->check(CLI::Range(1, 1000));
+  command.add_option("--seed", o.seed, "Of the order in which the runs are made");
+  command
+      .add_option("--limit-seconds", o.processes.limit_seconds,
+                  "CPU seconds after which a run has failed; the reference has 20 times that")
+      ->check(CLI::Range(1.0, 1e9));
+  command.add_option("--samples", o.samples, "Samples on each surface, for distances")
+      ->check(CLI::Range(100, 100000000));
 }
 
 }  // namespace
@@ -76,18 +93,7 @@ void add_trade(CLI::App& app, int& exit) {
       ->add_option("--finest", o->reference.finest,
                    "The finer run's cells, edges and steps, times the least of the plan")
       ->check(CLI::Range(0.01, 1.0));
-  command
-      ->add_option("--jobs", o->processes.jobs, "Processes at a time; above 1 seconds are noisier")
-      ->check(CLI::Range(1, 1024));
-  command->add_option("--repeat", o->repeat, "Processes for each run, whose medians count")
-      ->check(CLI::Range(1, 1000));
-  command->add_option("--seed", o->seed, "Of the order in which the runs are made");
-  command
-      ->add_option("--limit-seconds", o->processes.limit_seconds,
-                   "CPU seconds after which a run has failed; the reference has 20 times that")
-      ->check(CLI::Range(1.0, 1e9));
-  command->add_option("--samples", o->samples, "Samples on each surface, for distances")
-      ->check(CLI::Range(100, 100000000));
+  add_run_options(*command, *o);
   command->callback([o, &exit] { exit = run_trade(*o); });
 }
 

@@ -17,6 +17,7 @@
 #include "sims/output/colours.h"
 #include "sims/output/render.h"
 #include "sims/output/report_json.h"
+#include "sims/support/clock.h"
 #include "sims/support/reproducer.h"
 #include "sims/support/version.h"
 #include "sims/tracking/vertex_values.h"
@@ -161,7 +162,7 @@ class Run : public StepWatcher {
     json now = measured(surface());
     now["step"] = index;
     now["time"] = steps_.time();
-    now["seconds"] = watch_.lap();
+    now["seconds"] = watch_.next();
     if (steps_.fluid() != nullptr) now["fluid"] = to_json(frame_);
     if (is_mesh()) now["untouched_area"] = untouched_area();
     const auto parts = now["components"].get<std::size_t>();
@@ -180,7 +181,7 @@ class Run : public StepWatcher {
       now["picture"] = name;
       ++summary_.pictures;
     }
-    now["output_seconds"] = watch_.lap();
+    now["output_seconds"] = watch_.next();
     report_["steps"].push_back(std::move(now));
     if (mesh || picture || index % kReportEvery == 0) stop("");
     return parts;
@@ -218,7 +219,7 @@ class Run : public StepWatcher {
   std::vector<double> freshness_;  ///< of each vertex: 1 as surgery made it, fading to 0
   std::vector<double> resampled_;  ///< of each vertex: 1 as surgery made it, and it stays so
   double fading_ = 0;
-  Stopwatch watch_;
+  Lap watch_{wall_seconds};
   json report_;
   RunSummary summary_;
 };

@@ -15,7 +15,8 @@ struct Distances {
   double mean = kUnknown, max = kUnknown;
 };
 
-/// Along the creases, by length: each piece by its middle, and its ends for the largest.
+/// Distances along the creases: the mean by length, from the middles of the pieces, and the largest
+/// of middles and ends.
 Distances crease_distances(const ExactSurface& exact, const NearestTriangle& nearest) {
   double sum = 0, whole = 0, most = 0;
   for (const auto& [a, b] : exact.creases) {

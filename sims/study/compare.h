@@ -17,8 +17,8 @@ struct CompareOptions {
 /// unit. An empty surface has a volume error of −1 and no distances.
 Row compare(const Triangles& surface, const Truth& truth, const CompareOptions& options = {});
 
-/// How far vertices are from where the start's would exactly be; empty cells unless the surface
-/// still has the start's triangles, so that its vertices are markers.
+/// The mean and largest distance of the vertices from where the start's would exactly be. The cells
+/// are empty unless the surface still has the start's triangles, so that its vertices are markers.
 Row compare_markers(const Triangles& surface, const Triangles& start, const Carry& carry);
 
 }  // namespace suture::sims

@@ -26,7 +26,7 @@ std::string changes_in_words(const SceneChanges& changes) {
   return words;
 }
 
-/// What was asked for: the first columns.
+/// The first columns say what was asked for.
 Row setting_cells(const Scene& scene, const SceneChanges& changes, const std::string& command) {
   const TrackerOptions& t = scene.tracker;
   const double edge = t.quality.edge_length > 0 ? t.quality.edge_length : t.cell_size;
@@ -88,7 +88,7 @@ Row shape_cells(const Triangles& surface, const Scene& scene) {
       {"volume_drift", v / volume(scene.surface) - 1}};
 }
 
-/// One run and its measuring, in the process that was made for it.
+/// A run and its measuring, in the process that was made for it.
 class Work {
  public:
   Work(const MeasurementOptions& options, const std::string& command)
@@ -151,7 +151,7 @@ class Work {
                                         : 1e-3 * scene_.tracker.cell_size;
   }
 
-  /// What is found wrong with a reference only after the run would have cost it.
+  /// Refuses a reference before the run, which would be lost if it were refused after it.
   void require_reference() const {
     if (scene_.measure.reference == "none") return;
     if (!is_exact()) return void(read_triangles(scene_.measure.reference));

@@ -1,4 +1,4 @@
-// A scene run by a method and measured: what `suture measure` does.
+// A scene is run by a method and measured, as `suture measure` does.
 #pragma once
 
 #include "sims/driver/run.h"

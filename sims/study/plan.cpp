@@ -76,7 +76,7 @@ Value kept_interval(const Value& every, double own_step, double step) {
   return std::max<std::int64_t>(1, std::llround(same));
 }
 
-/// What the levels make of the scene: factors[i] at its level choice[i].
+/// The changes of the scene where factors[i] is at its level choice[i].
 SceneChanges combined(const Settings& own, const std::vector<Factor>& factors,
                       const std::vector<std::size_t>& choice) {
   SceneChanges changes;

@@ -5,13 +5,13 @@
 
 namespace suture::sims {
 
-/// One level of a factor: a value, or a multiple of what the scene has.
+/// A level of a factor is a value, or a multiple of what the scene has.
 struct Level {
   Value value;
   bool multiple = false;
 };
 
-/// What is varied: a setting, or `resolution`, the cell size and the edge length together.
+/// A factor is varied: a setting, or `resolution`, the cell size and the edge length together.
 struct Factor {
   std::string name;
   std::vector<std::string> settings;  ///< full names
@@ -38,7 +38,7 @@ struct DesignChoice {
 std::vector<Design> designs_of(const std::vector<std::string>& factors, const Settings& own,
                                const DesignChoice& choice);
 
-/// What is varied where the user does not say: each choice alone, which tells what it costs, and a
+/// The designs where the user names no factors: each choice alone, which tells what it costs, and a
 /// grid of the three resolutions (space, time, topology), which change the cost most and depend on
 /// one another. A product of everything would be 10⁹ runs.
 std::vector<Design> default_designs(const Settings& own, const DesignChoice& choice);
@@ -56,6 +56,6 @@ double rounded_for_people(double x);
 /// stays the same time as nearly as whole steps allow, unless they are factors of that run.
 /// \throw InvalidInput if these are more than kMostRuns
 std::vector<PlannedRun> plan(const Settings& own, const std::vector<Design>& designs);
-inline constexpr std::size_t kMostRuns = 10000;  // beyond it a product of levels is surely a slip
+inline constexpr std::size_t kMostRuns = 10000;  // more are surely a mistake
 
 }  // namespace suture::sims

@@ -1,5 +1,5 @@
-// What a study measures errors against: the first surface, as it was or carried by the exact flow,
-// a finer run, or a mesh file.
+// The reference that a study measures errors against: the first surface, as it was or carried by
+// the exact flow, a finer run, or a mesh file.
 #include "sims/study/reference.h"
 
 #include <fmt/format.h>
@@ -86,7 +86,7 @@ Reference from_finer_run(const StudyPlan& study, const fs::path& mesh, double fa
                       row.number("triangles_end"), tracker_seconds(row))};
 }
 
-/// What reference.txt says below the words: of which scene the reference is.
+/// The line of reference.txt that says of which scene the reference is.
 std::string scene_line(const fs::path& scene) {
   return "scene " + fingerprint(read_file(scene) + fingerprint(read_scene(scene).surface)) + "\n";
 }

@@ -1,5 +1,5 @@
-// What a study measures errors against: the first surface, as it was or carried by the exact flow,
-// a finer run, or a mesh file.
+// The reference that a study measures errors against: the first surface, as it was or carried by
+// the exact flow, a finer run, or a mesh file.
 #pragma once
 
 #include "sims/study/plan.h"
@@ -22,15 +22,15 @@ struct Reference {
   std::string words;  ///< what it is, for people
 };
 
-/// Whether the scene's motion, left alone by surgery and improvement, brings every vertex of the
-/// first surface back to where it was, within a thousandth of a cell.
+/// \return whether the scene's motion, left alone by surgery and improvement, brings every vertex
+/// of the first surface back to where it was, within a thousandth of a cell.
 bool comes_back(const std::filesystem::path& scene);
 
 /// The surface with every triangle cut in four as often as keeps it below `most` triangles: the
 /// same points of space, to rounding.
 Triangles quartered(Triangles surface, std::size_t most);
 
-/// What the finer run changes about the scene: space and time steps below all of the plan's,
+/// The changes of the scene that make the finer run: space and time steps below all of the plan's,
 /// remodels and improvements as often in time as the scene has them, arithmetic filtered.
 SceneChanges finest_changes(const Settings& own, const std::vector<PlannedRun>& runs,
                             double factor);

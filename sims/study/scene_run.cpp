@@ -15,7 +15,7 @@
 namespace suture::sims {
 namespace {
 
-/// Whether the surface is a mesh at all times, and asking for it costs nothing.
+/// \return whether the surface is a mesh at all times, so that asking for it costs nothing
 bool has_a_mesh(const Scene& scene) {
   return scene.method.is_mesh() || scene.method.kind == MethodKind::semi_lagrangian_contouring;
 }

@@ -1,4 +1,4 @@
-// What a user can set about a run, by the names of the scene file's keys, and changes of it.
+// The settings of a run by the names of the scene file's keys, and changes of them.
 #include "sims/study/settings.h"
 
 #include <fmt/format.h>

@@ -1,4 +1,4 @@
-// What a user can set about a run, by the names of the scene file's keys, and changes of it.
+// The settings of a run by the names of the scene file's keys, and changes of them.
 #pragma once
 
 #include <string>
@@ -8,7 +8,7 @@
 
 namespace suture::sims {
 
-/// One key of [tracker], [quality] or [time]. Keys have different names in all three.
+/// A key of [tracker], [quality] or [time]. No two of these have a key of the same name.
 struct Setting {
   std::string table, key;
   Value value;

@@ -1,4 +1,4 @@
-// What can be said of a surface by itself: its topology and its worst places.
+// The measures of a surface by itself: its topology and its worst places.
 #include "sims/study/surface_measures.h"
 
 #include "kernel/measure/measures.h"

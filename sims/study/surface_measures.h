@@ -1,4 +1,4 @@
-// What can be said of a surface by itself: its topology and its worst places.
+// The measures of a surface by itself: its topology and its worst places.
 #pragma once
 
 #include "kernel/triangles.h"

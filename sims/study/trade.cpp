@@ -30,7 +30,7 @@ std::vector<PlannedRun> planned(const TradeOptions& o, const Settings& own) {
   return plan(own, given ? designs_of(o.factors, own, choice) : default_designs(own, choice));
 }
 
-/// Each single change is read as the scene's own would be, so that a bad one is refused at once.
+/// Reads each single change as the scene's own, so that a bad one is refused at once.
 void require_readable(const fs::path& scene, const std::vector<PlannedRun>& runs) {
   std::map<std::string, bool> seen;
   for (const PlannedRun& run : runs)
@@ -44,7 +44,7 @@ std::vector<double> all_of(const std::vector<Row>& rows, const char* figure) {
   return values;
 }
 
-/// What several processes of one run make of it: the first that failed, or the medians.
+/// The row that several processes of a run make: the first that failed, or the medians.
 Row combined(const std::vector<Row>& parts) {
   for (const Row& part : parts)
     if (failed(part) && part.text("outcome") != kRefusedRun) return part;
@@ -65,7 +65,7 @@ Row combined(const std::vector<Row>& parts) {
   return row;
 }
 
-/// What is known of a run whose process did not finish.
+/// The row of a run whose process did not finish.
 Row lost(const Ended& ended) {
   return {{"outcome", ended.out_of_time ? kTimedOutRun : kCrashedRun},
           {"failure", ended.words()},
@@ -118,7 +118,7 @@ class Study : public PoolClient {
                          error.message() + "); choose another");
   }
 
-  /// Whether the row has the settings that this version knows, whatever their values.
+  /// \return whether the row has the settings that this version knows, whatever their values
   bool same_settings(const Row& row) const {
     const SettingTexts theirs = setting_texts(row);
     return std::equal(theirs.begin(), theirs.end(), own_.begin(), own_.end(),

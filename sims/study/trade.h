@@ -6,7 +6,7 @@
 
 namespace suture::sims {
 
-/// What a study is to do.
+/// The plan of a study.
 struct TradeOptions {
   std::filesystem::path scene, folder;
   std::vector<std::string> factors;  ///< as read_factor has them; empty: the default ones
@@ -22,7 +22,7 @@ struct TradeOptions {
   std::size_t samples = 20000;
 };
 
-/// Told of a study as it goes. Pass null where nobody listens.
+/// Hears of a study as it goes.
 class TradeWatcher {
  public:
   virtual ~TradeWatcher() = default;

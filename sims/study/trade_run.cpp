@@ -1,4 +1,4 @@
-// One run of a scene for a trade study: its cost, and its error against the reference.
+// A run of a scene for a trade study: its cost, and its error against the reference.
 #include "sims/study/trade_run.h"
 
 #include <fmt/format.h>
@@ -24,7 +24,7 @@ void set(Row& row, const char* figure, double x) {
   row.set(figure, std::isfinite(x) ? x : kUnknown);
 }
 
-/// What was spent until a run's last step. Some of it is known only where there was a step.
+/// Sets what was spent until a run's last step. Some of it is known only where there was a step.
 void set_costs(Row& row, const Snapshot& end) {
   const Costs& c = end.costs;
   const double remodel = c.seconds_of("remodel"), improve = c.seconds_of("improve"),

@@ -1,4 +1,4 @@
-// One run of a scene for a trade study: its cost, and its error against the reference.
+// A run of a scene for a trade study: its cost, and its error against the reference.
 #pragma once
 
 #include <filesystem>

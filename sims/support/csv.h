@@ -8,7 +8,7 @@ namespace suture::sims {
 
 using Cells = std::vector<std::string>;
 
-/// One line with its end; cells that need it are put in quotes.
+/// A line with its end; cells that need it are put in quotes.
 std::string csv_line(const Cells& cells);
 
 /// The cells of each line; a cell in quotes may hold commas, line ends and doubled quotes.

@@ -13,7 +13,7 @@ namespace suture::sims {
 /// Sends a message, of any bytes, to the process that forked this one.
 using Say = std::function<void(const std::string& message)>;
 
-/// How a process ended, and what it used.
+/// The end of a process, and what it used.
 struct Ended {
   bool finished = false;     ///< its work returned and said something, which came whole
   bool out_of_time = false;  ///< it was ended for that

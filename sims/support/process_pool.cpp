@@ -83,7 +83,7 @@ class Pool {
   std::list<Worker> workers_;
 };
 
-/// One task, whose only message is its result.
+/// The client of a single task, whose only message is its result.
 class Single : public PoolClient {
  public:
   explicit Single(const std::function<std::string()>& work) : work_(work) {}

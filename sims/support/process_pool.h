@@ -8,7 +8,7 @@
 
 namespace suture::sims {
 
-/// What processes may use.
+/// The limits of processes.
 struct ProcessOptions {
   int jobs = 1;  ///< processes at a time, >= 1
   /// CPU seconds between two messages after which one is ended, as it hangs. By the clock it has

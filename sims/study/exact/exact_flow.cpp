@@ -21,7 +21,7 @@ EdgeKey key(std::uint32_t a, std::uint32_t b) {
   return static_cast<EdgeKey>(std::min(a, b)) << 32 | std::max(a, b);
 }
 
-/// One of an edge's two triangles, by edge.
+/// An edge and one of its two triangles.
 struct Side {
   EdgeKey edge;
   std::uint32_t triangle;
@@ -136,7 +136,7 @@ class Refinement {
     return true;
   }
 
-  /// One triangle becomes one to four, by which of its edges have a vertex now.
+  /// A triangle becomes one to four, by which of its edges have a vertex now.
   void split(Triangle t, std::vector<Triangle>& out) const {
     std::array<std::uint32_t, 3> m{};
     int marked = 0;

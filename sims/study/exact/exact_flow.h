@@ -8,17 +8,17 @@
 
 namespace suture::sims {
 
-/// Where a point of time 0 is at the time asked for.
+/// A carry sends a point of time 0 to where it is at the time asked for.
 using Carry = std::function<Point(const Point&)>;
 
-/// Through a scene's motions from time 0 to `time` by the Runge–Kutta–Fehlberg method of order 8,
-/// each point with steps of its own that err by no more than `error`, in the scene's unit.
-/// \throw InvalidInput if a motion of the scene is no velocity field
+/// Points are carried through a scene's motions from time 0 to `time` by the Runge–Kutta–Fehlberg
+/// method of order 8, each point with steps of its own that err by no more than `error`, in the
+/// scene's unit. \throw InvalidInput if a motion of the scene is no velocity field
 Carry exact_carry(const Scene& scene, double time, double error);
 
 struct ExactFlowOptions {
   double tolerance = 0;                  ///< of chords, in the scene's unit; must be above zero
-  std::size_t most_triangles = 8000000;  ///< beyond it the tolerance is surely a slip
+  std::size_t most_triangles = 8000000;  ///< more are surely a mistake
 };
 
 /// A carried shape. Creases are pairs of vertices, corners vertices where three faces meet.
@@ -27,8 +27,8 @@ struct ExactSurface {
   std::vector<std::pair<std::uint32_t, std::uint32_t>> creases;
   std::vector<std::uint32_t> corners;
   double tolerance = 0;
-  /// How far image points of the shape are from the triangles, at the middles of 5,000 triangles
-  /// spread over all: what is left of the reference's own error.
+  /// The reference's own error: the distances of the shape's image from the middles of 5,000
+  /// triangles that are spread over all.
   double mean_error = 0, max_error = 0;
 };
 

@@ -20,9 +20,16 @@ double given(const PlacedShape& body, const std::string& key, double otherwise) 
   return at == body.parameters.end() ? otherwise : at->second;
 }
 
-/// Adds a body's mesh, in the scene's coordinates, with the faces of its triangles.
-void append(ExactShape& shape, const Triangles& mesh, const std::vector<std::uint32_t>& face,
-            const std::vector<ExactFace>& faces) {
+/// A body's mesh with its faces; `face` has that of each triangle.
+struct Body {
+  Triangles mesh;
+  std::vector<std::uint32_t> face;
+  std::vector<ExactFace> faces;
+};
+
+/// Adds a body in the scene's coordinates.
+void append(ExactShape& shape, const Body& body) {
+  const auto& [mesh, face, faces] = body;
   const auto vertices = static_cast<std::uint32_t>(shape.mesh.positions.size());
   const auto first = static_cast<std::uint32_t>(shape.faces.size());
   shape.mesh.positions.insert(shape.mesh.positions.end(), mesh.positions.begin(),
@@ -55,7 +62,7 @@ void add_sphere(ExactShape& shape, const PlacedShape& body) {
   Triangles mesh = sphere(p);
   std::vector<ExactFace> faces = {{ExactFace::Kind::sphere, p.centre, Point::UnitZ(), p.radius}};
   place(mesh, faces, body);
-  append(shape, mesh, std::vector<std::uint32_t>(mesh.triangles.size(), 0), faces);
+  append(shape, {mesh, std::vector<std::uint32_t>(mesh.triangles.size(), 0), faces});
   shape.volume += 4 * kPi / 3 * std::pow(p.radius * body.scale, 3);
 }
 
@@ -98,13 +105,18 @@ void add_zalesak(ExactShape& shape, const PlacedShape& body) {
     face.push_back(of);
   }
   place(mesh, faces, body);
-  append(shape, mesh, face, faces);
+  append(shape, {mesh, face, faces});
   shape.volume += slotted_volume(p) * std::pow(body.scale, 3);
 }
 
+/// The first vertex and triangle of a body in the scene's surface.
+struct First {
+  std::size_t vertex = 0, triangle = 0;
+};
+
 /// The part of the scene's surface that is this body.
-Triangles part_of(const Triangles& surface, std::size_t vertex, std::size_t triangle,
-                  const PlacedShape& body) {
+Triangles part_of(const Triangles& surface, const First& first, const PlacedShape& body) {
+  const auto& [vertex, triangle] = first;
   Triangles part;
   const auto v = surface.positions.begin() + static_cast<std::ptrdiff_t>(vertex);
   part.positions.assign(v, v + static_cast<std::ptrdiff_t>(body.vertices));
@@ -127,20 +139,20 @@ Point pushed(const Point& p, const Point& centre, double radius) {
 
 ExactShape exact_shape(const Scene& scene, const ExactShapeOptions& options) {
   ExactShape shape;
-  std::size_t vertex = 0, triangle = 0;
+  First first;
   for (const PlacedShape& body : scene.shapes) {
     if (!options.polyhedron && body.shape == "sphere") {
       add_sphere(shape, body);
     } else if (!options.polyhedron && body.shape == "zalesak") {
       add_zalesak(shape, body);
     } else {
-      const Triangles part = part_of(scene.surface, vertex, triangle, body);
-      append(shape, part, std::vector<std::uint32_t>(part.triangles.size(), 0), {ExactFace{}});
+      const Triangles part = part_of(scene.surface, first, body);
+      append(shape, {part, std::vector<std::uint32_t>(part.triangles.size(), 0), {ExactFace{}}});
       shape.volume += volume(part);
       shape.exact = false;
     }
-    vertex += body.vertices;
-    triangle += body.triangles;
+    first.vertex += body.vertices;
+    first.triangle += body.triangles;
   }
   return shape;
 }

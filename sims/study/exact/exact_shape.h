@@ -38,7 +38,7 @@ Point middle_on(const Point& a, const Point& b, const ExactFace& f, const ExactF
 /// The point of the face that a point near it, as a triangle's centroid, stands for.
 Point onto(const Point& p, const ExactFace& face);
 
-/// Whether the edge between two faces is a crease of the shape.
+/// \return whether the edge between two faces is a crease of the shape
 bool is_crease(const ExactFace& f, const ExactFace& g);
 
 }  // namespace suture::sims

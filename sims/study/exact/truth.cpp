@@ -1,4 +1,4 @@
-// What a scene's surface should be at a time, kept on disk once it was computed.
+// The surface that a scene should have at a time, kept on disk once it was computed.
 #include "sims/study/exact/truth.h"
 
 #include <fmt/format.h>
@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 
 constexpr double kCarryError = 1e-4;  // a step's, of the tolerance: never what limits a reference
 
-/// All that decides what a reference is, as text.
+/// The text names all that decides what a reference is.
 std::string made_from(const Scene& scene, const ExactShape& shape, double time,
                       const TruthOptions& options) {
   std::string text =
@@ -63,7 +63,7 @@ bool in_range(const ExactSurface& e) {
                      [&](const auto& c) { return c.first < n && c.second < n; });
 }
 
-/// What is kept in the folder, if it is whole and made from the same.
+/// The reference that is kept in the folder, if it is whole and made from the same.
 std::optional<ExactSurface> kept(const fs::path& mesh, const fs::path& note,
                                  const std::string& from) {
   if (!fs::exists(note) || !fs::exists(mesh)) return {};
@@ -78,7 +78,7 @@ std::optional<ExactSurface> kept(const fs::path& mesh, const fs::path& note,
   return {};
 }
 
-/// Whether everything is back where it was: no vertex of the coarse mesh has moved by more than a
+/// Everything is back where it was if no vertex of the coarse mesh has moved by more than a
 /// hundredth of the tolerance. Then the exact surface is the start shape, which costs no flow.
 bool all_is_back(const ExactShape& shape, const Carry& carry, double tolerance) {
   return std::all_of(shape.mesh.positions.begin(), shape.mesh.positions.end(),

@@ -1,4 +1,4 @@
-// What a scene's surface should be at a time, kept on disk once it was computed.
+// The surface that a scene should have at a time, kept on disk once it was computed.
 #pragma once
 
 #include <filesystem>

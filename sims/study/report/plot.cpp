@@ -65,7 +65,7 @@ std::string style_of(std::size_t group, std::size_t groups) {
   return fmt::format("pt {} ps 1.3 lc rgb '{}'", marks[(group - 1) % 7], colours[(group - 1) % 10]);
 }
 
-/// What a panel draws against what; `cell` is the scene's own cell size.
+/// A panel draws errors against costs; `cell` is the scene's own cell size.
 struct Axes {
   const Criterion& error;
   const Criterion& cost;
@@ -83,7 +83,8 @@ struct Panel {
   bool empty = true;
 };
 
-/// Where a criterion's values lie above 0: a logarithmic axis. Zeros are drawn at its low end.
+/// The range of a criterion's values above 0, for a logarithmic axis. Zeros are drawn at its low
+/// end.
 struct Span {
   double low = std::numeric_limits<double>::infinity(), high = 0;
 
@@ -110,13 +111,13 @@ struct Span {
     return fmt::format("set {0}range [{1:.9g}:{2:.9g}]\nset {0}tics ({3})\n", name, low / margin,
                        high * margin, tics);
   }
-  /// Where x lies between the ends, 0 to 1.
+  /// \return where x lies between the ends, from 0 to 1
   double place(double x) const {
     return high > low ? std::log(shown(x) / low) / std::log(high / low) : 0;
   }
 };
 
-/// Where rows stand in a panel: costs to the right, errors up.
+/// The places of rows in a panel: costs to the right, errors up.
 class Place {
  public:
   Place(const std::vector<Row>& rows, const Axes& axes)
@@ -126,7 +127,7 @@ class Place {
   double error(const Row& row) const { return axes_.error.of(row, axes_.cell); }
   std::string ranges() const { return costs_.axis("x") + errors_.axis("y"); }
   std::string point(const Row& row) const { return line(row, errors_.shown(error(row))); }
-  /// At the height of the worst error, for a row that has none.
+  /// The row has no error, and is drawn at the height of the worst one.
   std::string point_at_top(const Row& row) const { return line(row, errors_.high); }
 
   bool near(const Row& a, const Row& b) const {
@@ -220,7 +221,7 @@ std::string draw_legend(const std::vector<std::string>& groups, const std::strin
   return out + plots + "\nunset label 1\n";
 }
 
-/// All errors against a cost, by its index.
+/// Draws all errors against the cost with this index.
 std::string draw_front(const std::vector<Row>& rows, const PlotOptions& options, std::size_t cost) {
   const std::vector<std::string> groups = groups_of(rows);
   std::string out = "reset\nset output " + quoted(kPictures[cost]) +

@@ -7,7 +7,7 @@
 
 namespace suture::sims {
 
-/// What the plots need besides the rows.
+/// The plots need more than the rows.
 struct PlotOptions {
   std::string title;
   double cell_size = 1;   ///< the scene's own: distances are drawn in it

@@ -1,4 +1,4 @@
-// What a study's table says, in words: what to choose, what it costs, what fails.
+// A study's table in words: what to choose, what it costs, what fails.
 #include "sims/study/report/recommend.h"
 
 #include <fmt/format.h>
@@ -63,7 +63,7 @@ class Page {
                        row.number("peak_megabytes"));
   }
 
-  /// How a row's cost and error compare with the scene's own, where that is sound.
+  /// Compares a row's cost and error with the scene's own, where that is sound.
   std::string beside_own(const Row& row) const {
     if (own_ == nullptr || !sound(*own_) || &row == own_) return "";
     return fmt::format(

@@ -1,4 +1,4 @@
-// What a study's table says, in words: what to choose, what it costs, what fails.
+// A study's table in words: what to choose, what it costs, what fails.
 #pragma once
 
 #include "sims/study/table/trade_row.h"

@@ -19,7 +19,7 @@ using Cell = std::variant<std::string, double>;
 /// A cell as tables have it: numbers have nine digits, and NaN is empty.
 std::string cell_text(const Cell& cell);
 
-/// How a run ended, in the tables' words.
+/// The words in which tables say how a run ended.
 inline constexpr const char* kDoneRun = "done";        ///< to its end, every surgery committed
 inline constexpr const char* kRefusedRun = "refused";  ///< to its end, but surgeries were refused
 inline constexpr const char* kStoppedRun = "stopped";  ///< Suture said why it cannot go on

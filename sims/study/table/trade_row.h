@@ -8,7 +8,7 @@
 
 namespace suture::sims {
 
-/// What is known of a run by numbers. Lengths are in the scene's unit; "forth" is from the result
+/// The numbers that are known of a run. Lengths are in the scene's unit; "forth" is from the result
 /// to the reference, "back" from the reference to the result. `volume_error` is volume ÷ the
 /// reference's − 1, `volume_drift` the same against the first surface. `topology_right` is 1 where
 /// components and Euler characteristic are as in the reference, else 0. The least angle is in
@@ -41,7 +41,7 @@ inline constexpr std::array<const char*, 26> kFigures = {"mean_distance_forth",
                                                          "surgeries",
                                                          "refused"};
 
-/// Each setting of a run, by its key, as text.
+/// The settings of a run by their keys, as texts.
 using SettingTexts = std::vector<std::pair<std::string, std::string>>;
 
 /// A row with every column of the table. `run` is a number that names it in plots and words,
@@ -57,10 +57,11 @@ SettingTexts setting_texts(const Row& row);
 /// \throw InvalidInput with file and line for what is no table of a trade study
 std::vector<Row> read_trade_table(const std::filesystem::path& file);
 
-/// Whether a run did not end, or surgeries were refused.
+/// \return whether the run did not end, or surgeries were refused
 bool failed(const Row& row);
 
-/// Whether a run may be compared by its errors: to its end, with the reference's topology.
+/// \return whether the run may be compared by its errors: it got to its end, with the reference's
+/// topology
 bool sound(const Row& row);
 
 /// The mean of both ways, and the larger of both.
