@@ -128,7 +128,7 @@ TEST_CASE("the flow's reference is the first surface, carried as a field carries
   const Folder folder;
   std::string scene = kScene;
   scene.replace(scene.find("rate = 1"), 8, "rate = 1.5707963267948966");  // a quarter turn about z
-  const Reference r = make_reference(folder.write("scene.toml", scene), folder / "", {},
+  const Reference r = make_reference({folder.write("scene.toml", scene), folder / "", {}},
                                      {.kind = "flow", .limit = {}});
   const Triangles turned = read_triangles(r.mesh),
                   start = read_scene(folder / "scene.toml").surface;
@@ -143,7 +143,7 @@ TEST_CASE("the flow's reference is the first surface, carried as a field carries
   scene.replace(scene.find("rate = "), 25, "");
   folder.write("scene.toml", scene);
   CHECK_THROWS_WITH(
-      make_reference(folder / "scene.toml", folder / "", {}, {.kind = "flow", .limit = {}}),
+      make_reference({folder / "scene.toml", folder / "", {}}, {.kind = "flow", .limit = {}}),
       Contains("depends on the surface"));
 }
 

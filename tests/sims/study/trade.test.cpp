@@ -112,15 +112,15 @@ TEST_CASE("a run that cannot go on is a row that says so, and the others are mad
       traded(folder, "--reference start --design one --factors passes=1 cell_size=1e-9");
   INFO(said.text);
   CHECK(said.exit == 0);
-  std::size_t failed = 0;
+  std::size_t count = 0;
   for (const Row& row : table(folder)) {
     if (!failed(row)) continue;
-    ++failed;
+    ++count;
     CHECK(row.text("change") == "cell_size=1e-09");
     CHECK(row.text("outcome") == "stopped");
     CHECK(row.text("failure").size() > 20);
   }
-  CHECK(failed == 1);
+  CHECK(count == 1);
   CHECK(table(folder).size() == 3);
   CHECK_THAT(contents(folder / "out/recommendation.md"), Contains("`cell_size=1e-09`: stopped: "));
 }
