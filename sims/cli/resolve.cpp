@@ -13,11 +13,11 @@
 #include "sims/cli/choices.h"
 #include "sims/cli/commands.h"
 #include "sims/cli/inputs.h"
-#include "sims/tracking/vertex_values.h"
 #include "sims/output/colours.h"
 #include "sims/output/render.h"
 #include "sims/output/report_json.h"
 #include "sims/scene/option_names.h"
+#include "sims/tracking/vertex_values.h"
 #include "surgery/tracker.h"
 
 namespace suture::sims {

@@ -1,4 +1,4 @@
-// The driver loop: a scene's surface moved, remodelled, improved, and written down.
+// A scene from start to end, with all that it writes down on its way.
 #pragma once
 
 #include <cstdint>
@@ -10,21 +10,21 @@
 
 namespace suture::sims {
 
-/// Where a run is.
+/// The place of a run on its way.
 struct Progress {
   std::int64_t step = 0, steps = 0;
   double time = 0;
   std::size_t triangles = 0, components = 0;
 };
 
-/// Told of a run as it goes. Pass null where nobody listens.
+/// Hears of a run after each of its steps. Pass null where nobody listens.
 class RunWatcher {
  public:
   virtual ~RunWatcher() = default;
   virtual void stepped(const Progress& progress) = 0;
 };
 
-/// What a run did, for its user's last line.
+/// The counts of a run, for its user's last line.
 struct RunSummary {
   std::int64_t steps = 0;
   std::size_t remodels = 0, committed = 0, refused = 0, merges = 0, splits = 0;
@@ -35,10 +35,10 @@ struct RunSummary {
 };
 
 /// Runs the scene and writes meshes, pictures and report.json to `folder`, which is made. The
-/// report is whole whenever the run stops; a refused surgery is counted and the run goes on. \throw
-/// InvalidInput if the tracker refuses the scene (nothing is written then), the motion leads out of
-/// the finite numbers, or a file cannot be written \throw InternalFailure after saving the surface,
-/// named in the message, if a step breaks down
+/// report is whole whenever the run stops; a refused surgery is counted and the run goes on.
+/// \throw InvalidInput if the tracker refuses the scene (nothing is written then), the motion leads
+/// out of the finite numbers, or a file cannot be written
+/// \throw InternalFailure after saving the surface, named in the message, if a step breaks down
 RunSummary run(Scene& scene, const std::filesystem::path& folder, RunWatcher* watcher = nullptr);
 
 }  // namespace suture::sims

@@ -47,8 +47,8 @@ Fluid::Initial initial_velocity(const Scene& scene) {
   };
 }
 
-/// What a mesh and the simulator need comes as often as `time` says. A baseline looks after itself;
-/// what it does only every few steps also comes at the end of a fluid's frames, and of the run.
+/// A mesh is looked after as often as `time` says. A baseline looks after itself, and ends a frame
+/// at the end of the run, under a fluid as often as a mesh would be looked after.
 Schedule schedule_of(const Scene& scene) {
   const TimeOptions& time = scene.time;
   Schedule schedule{0, 0, kLastFrame};

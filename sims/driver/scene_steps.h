@@ -27,8 +27,9 @@ class SceneSteps {
   explicit SceneSteps(Scene& scene);
   ~SceneSteps();
 
+  std::int64_t count() const { return scene_.time.steps(); }  ///< steps from start to end
   /// Whether a step is left before the scene's end, whatever became of the surface.
-  bool more() const { return index_ < scene_.time.steps(); }
+  bool more() const { return index_ < count(); }
   /// The next step, which a fluid may cut into several. \pre more() \throw as Driver::frame
   void step(StepWatcher& watcher);
   /// The number of the last step that began, counted from 1; 0 before the first.
@@ -37,9 +38,9 @@ class SceneSteps {
   const Triangles& surface() const { return tracker_->surface(); }
   double time() const { return tracker_->time(); }
   TrackerCost cost() const { return tracker_->cost(); }
-  /// Whether nothing is left to move: every part got thinner than a cell and went.
+  /// Whether nothing is left to move: every part got thinner than a cell and split away.
   bool vanished() const { return surface().triangles.empty(); }
-  const Fluid* fluid() const { return fluid_; }  ///< what moves the surface; null: motions
+  const Fluid* fluid() const { return fluid_; }  ///< the mover of the surface; null: motions
 
  private:
   Scene& scene_;

@@ -28,26 +28,27 @@ class BodiesMotion : public Motion {
   }
 
  private:
-  void relax(const Triangles& surface, double share) {
-    const Components parts = components(surface);
-    std::vector<Point> momentum(parts.count, Point::Zero());
-    std::vector<double> mass(parts.count, 0.0);
-    std::vector<std::uint32_t> part_of(surface.positions.size(), kNone);
+  /// Brings every velocity a part of the way to the mean of its connected component.
+  void relax(const Triangles& surface, double part) {
+    const Components bodies = components(surface);
+    std::vector<Point> momentum(bodies.count, Point::Zero());
+    std::vector<double> mass(bodies.count, 0.0);
+    std::vector<std::uint32_t> body_of(surface.positions.size(), kNone);
     for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
       const auto& [a, b, c] = surface.triangles[t];
       const auto& x = surface.positions;
       const double area = (x[b] - x[a]).cross(x[c] - x[a]).norm();
-      const std::uint32_t part = parts.of_triangle[t];
-      mass[part] += 3 * area;
+      const std::uint32_t body = bodies.of_triangle[t];
+      mass[body] += 3 * area;
       for (const std::uint32_t v : {a, b, c}) {
-        momentum[part] += area * velocities_[v];
-        part_of[v] = part;
+        momentum[body] += area * velocities_[v];
+        body_of[v] = body;
       }
     }
     for (std::size_t v = 0; v < velocities_.size(); ++v) {
-      const std::uint32_t part = part_of[v];
-      if (part == kNone || !(mass[part] > 0)) continue;
-      velocities_[v] += share * (momentum[part] / mass[part] - velocities_[v]);
+      const std::uint32_t body = body_of[v];
+      if (body == kNone || !(mass[body] > 0)) continue;
+      velocities_[v] += part * (momentum[body] / mass[body] - velocities_[v]);
     }
   }
 

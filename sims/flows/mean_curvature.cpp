@@ -12,7 +12,7 @@ namespace {
 
 using Matrix = Eigen::SparseMatrix<double>;
 
-// Twice a triangle's area counts as at least this share of its longest edge squared. Its three
+// Twice a triangle's area counts as at least this part of its longest edge squared. Its three
 // cotangents shrink together, so its part of the matrix stays positive semi-definite.
 constexpr double kThinnest = 1e-5;
 

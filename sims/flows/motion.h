@@ -7,19 +7,19 @@
 
 namespace suture::sims {
 
-/// Moves a surface as it is told, and lets any step be as long as it is asked for.
+/// A simulator that is known beforehand, and takes steps of any length.
 class Motion : public Simulator {
  public:
-  /// The velocity field that it is, which carries any points the same way; null if it is none.
+  /// The motion as a velocity field, which carries any points the same way; null if it is none.
   virtual const VelocityField* field() const { return nullptr; }
 
-  /// Where the surface's vertices are after dt; the motion's own state goes on by dt too.
+  /// New places of the surface's vertices after dt; the motion's own state goes on by dt too.
   /// \pre field() is null
   virtual std::vector<Point> positions(const Triangles& surface, double dt) = 0;
 
   void step(SurfaceTracker& surface, double dt) override { advance(surface, dt); }
 
-  /// As step, for a SurfaceTracker or a bare Tracker.
+  /// Does the same as step to a SurfaceTracker or a bare Tracker.
   template <class AnyTracker>
   void advance(AnyTracker& tracker, double dt) {
     if (const VelocityField* u = field())

@@ -15,34 +15,27 @@ namespace suture::sims {
 namespace {
 
 /// The new surface's implicit function in one step, in cells.
-class Upstream {
- public:
-  Upstream(const SignedDistance& old, const VelocityField& u, double time, double dt,
-           const ContouringOptions& o)
-      : old_(old), u_{u, Point::Zero(), 1}, time_(time), dt_(dt), options_(o) {}
+struct Upstream {
+  const SignedDistance& old;
+  GridVelocity u;  ///< in the scene's unit
+  PathStep step;
+  double cell_size;
 
   double operator()(const Point& p) const {
-    const Point source = path_end(u_, p, time_ + dt_, -dt_, options_.trace_order);
+    const Point source = path_end(u, p, step.back());
     require_finite(source);
-    return old_.at(source) / options_.cell_size;
+    return old.at(source) / cell_size;
   }
   Point downstream(const Point& p) const {
-    const Point end = path_end(u_, p, time_, dt_, options_.trace_order);
+    const Point end = path_end(u, p, step);
     require_finite(end);
     return end;
   }
-
- private:
   static void require_finite(const Point& p) {
     if (!p.allFinite())
       throw InvalidInput(
           "a path within one step leads out of the finite numbers; check the velocity field");
   }
-
-  const SignedDistance& old_;
-  GridVelocity u_;
-  double time_, dt_;
-  const ContouringOptions& options_;
 };
 
 /// A bracketed zero of f between 0 and 1, f(0) and f(1) given: regula falsi, where an end that
@@ -110,7 +103,8 @@ class Contouring : public SurfaceTracker {
   void step(const VelocityField& u, double dt) {
     Lap lap;
     if (!distance_) distance_.emplace(surface_);
-    const Upstream upstream(*distance_, u, time_, dt, options_);
+    const Upstream upstream{
+        *distance_, {u, Point::Zero(), 1}, {time_, dt, options_.trace_order}, options_.cell_size};
     Triangles carried = surface_;
     for (Point& p : carried.positions) p = upstream.downstream(p);
     const openvdb::DoubleGrid::Ptr grid = band_round(carried, upstream);

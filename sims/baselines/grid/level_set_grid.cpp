@@ -1,4 +1,5 @@
-// What the rivals on grids share: surfaces to narrow bands of distances, and zero sets to surfaces.
+// The ground of the baselines on grids: surfaces to narrow bands of distances, and zero sets to
+// surfaces.
 #include "sims/baselines/grid/level_set_grid.h"
 
 #include <openvdb/tools/Interpolation.h>
@@ -29,22 +30,26 @@ typename Grid::Ptr empty_grid(const BandOptions& o) {
   return grid;
 }
 
-/// Calls visit(lowest node) for all blocks of kLeastBlock³ nodes that may hold nodes of the band.
-/// A block is far where its centre is farther from the surface than its corners are from there.
+/// A search for all blocks of kLeastBlock³ nodes that may hold nodes of the band. A block is far
+/// where its centre is farther from the surface than its corners are from there.
 template <class Visit>
-void descend(const NearestTriangle& nearest, const BandOptions& o, const Coord& lowest, int size,
-             const Visit& visit) {
-  constexpr double kSlack = 1 + 1e-9;  // for rounding
-  const double half = 0.5 * (size - 1) * o.cell_size;
-  const Point centre = o.place(lowest) + Point::Constant(half);
-  const double reach = (o.half_width * o.cell_size + std::sqrt(3.0) * half) * kSlack;
-  if (nearest.distance(centre) > reach) return;
-  if (size == kLeastBlock) return visit(lowest);
-  const int part = size / 2;
-  for (int c = 0; c < 8; ++c)
-    descend(nearest, o, lowest.offsetBy((c & 1) * part, (c >> 1 & 1) * part, (c >> 2) * part), part,
-            visit);
-}
+struct BlockSearch {
+  const NearestTriangle& nearest;
+  const BandOptions& band;
+  const Visit& visit;  ///< called with each block's lowest node
+
+  void descend(const Coord& lowest, int size) const {
+    constexpr double kSlack = 1 + 1e-9;  // for rounding
+    const double half = 0.5 * (size - 1) * band.cell_size;
+    const Point centre = band.place(lowest) + Point::Constant(half);
+    const double reach = (band.half_width * band.cell_size + std::sqrt(3.0) * half) * kSlack;
+    if (nearest.distance(centre) > reach) return;
+    if (size == kLeastBlock) return visit(lowest);
+    const int part = size / 2;
+    for (int c = 0; c < 8; ++c)
+      descend(lowest.offsetBy((c & 1) * part, (c >> 1 & 1) * part, (c >> 2) * part), part);
+  }
+};
 
 openvdb::CoordBBox index_box(const Triangles& surface, const BandOptions& o) {
   const Box box = bounding_box(surface.positions);
@@ -74,10 +79,11 @@ typename Grid::Ptr active_near(const Triangles& surface, const NearestTriangle& 
     for (int n = 0; n < kLeastBlock * kLeastBlock * kLeastBlock; ++n)
       values.setValueOn(lowest.offsetBy(n / 16, n / 4 % 4, n % 4));
   };
+  const BlockSearch<decltype(activate)> search{nearest, o, activate};
   for (int i = low[0]; i <= box.max()[0]; i += kRootBlock)
     for (int j = low[1]; j <= box.max()[1]; j += kRootBlock)
       for (int k = low[2]; k <= box.max()[2]; k += kRootBlock)
-        descend(nearest, o, Coord(i, j, k), kRootBlock, activate);
+        search.descend(Coord(i, j, k), kRootBlock);
   return grid;
 }
 

@@ -1,4 +1,5 @@
-// What the rivals on grids share: surfaces to narrow bands of distances, and zero sets to surfaces.
+// The ground of the baselines on grids: surfaces to narrow bands of distances, and zero sets to
+// surfaces.
 #pragma once
 
 #include <openvdb/openvdb.h>
@@ -22,7 +23,7 @@ struct BandOptions {
   Point place(const openvdb::Coord& node) const {
     return origin + cell_size * Point(node[0], node[1], node[2]);
   }
-  /// In index space.
+  /// The point `p` in index space.
   openvdb::Vec3d index(const Point& p) const {
     const Point i = (p - origin) / cell_size;
     return {i[0], i[1], i[2]};
@@ -54,7 +55,7 @@ bool holds_zero_set(const openvdb::DoubleGrid& grid);
 /// A node with the value 0 is outside. `place` as for MarchingTetrahedra.
 template <class Grid>
 Triangles contour(const Grid& grid, const MarchingTetrahedra::Place& place);
-/// With vertices where the values, taken as linear on each edge, are zero.
+/// The same, with vertices where the values, taken as linear on each edge, are zero.
 Triangles contour(const openvdb::FloatGrid& grid, const BandOptions& options);
 
 /// Trilinear between the nodes, in cells; ± the half width outside the band.

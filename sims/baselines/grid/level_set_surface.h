@@ -5,7 +5,7 @@
 
 namespace suture::sims {
 
-/// Where the grid lies, in the scene's unit.
+/// The place of the grid in the scene, in the scene's unit.
 struct GridFrame {
   double cell_size = 1;
   Point origin = Point::Zero();  ///< node (0, 0, 0)

@@ -5,7 +5,8 @@
 
 namespace suture::sims {
 
-/// u as the grid sees it: points in cells from its origin, velocities in cells a unit of time.
+/// The field u as the grid sees it: points are in cells from its origin, velocities in cells a unit
+/// of time.
 struct GridVelocity {
   const VelocityField& u;
   Point origin;
@@ -16,9 +17,18 @@ struct GridVelocity {
   }
 };
 
-/// Where a particle at `p` at the time t is at t + dt; dt < 0 goes back. Order 2 is the midpoint
-/// rule, 3 the TVD scheme of Shu and Osher 1988, 4 the classic one. \pre 2 ≤ order ≤ 4
-inline Point path_end(const GridVelocity& u, const Point& p, double t, double dt, int order) {
+/// A step along paths, from `time` to time + dt. Order 2 is the midpoint rule, 3 the TVD scheme of
+/// Shu and Osher 1988, 4 the classic one.
+struct PathStep {
+  double time = 0, dt = 0;  ///< dt < 0 goes back
+  int order = 2;
+
+  PathStep back() const { return {time + dt, -dt, order}; }
+};
+
+/// The place, after the step, of a particle that is at `p` before it. \pre 2 ≤ order ≤ 4
+inline Point path_end(const GridVelocity& u, const Point& p, const PathStep& step) {
+  const auto& [t, dt, order] = step;
   const Point a = u(p, t);
   if (order == 2) return p + dt * u(p + dt / 2 * a, t + dt / 2);
   if (order == 3) {

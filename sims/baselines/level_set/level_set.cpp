@@ -74,7 +74,7 @@ class LevelSet : public SurfaceTracker {
   }
 
  private:
-  /// Whether this sub-step ends with a re-normalisation.
+  /// Counts this sub-step; \return whether it ends with a re-normalisation.
   bool due() {
     const int every = options_.renormalise.every;
     if (every == 0) return false;
@@ -108,7 +108,7 @@ class LevelSet : public SurfaceTracker {
   }
 
   void mac_cormack_step(const GridVelocity& u, double dt) {
-    grid_ = mac_cormack(*grid_, u, {time_, dt, options_.trace_order, options_.limiter});
+    grid_ = mac_cormack(*grid_, u, {{time_, dt, options_.trace_order}, options_.limiter});
     ++substeps_;
     if (due()) renormalise(*grid_, options_.renormalise);
   }

@@ -5,18 +5,19 @@
 
 namespace suture::sims {
 
-/// How gradients are taken: from one side, to some order, or weighted so that they do not oscillate
-/// [Jiang and Peng 2000]. OpenVDB's WENO5 for conservation laws is no scheme for φ: it is left out.
+/// The differences that gradients are: from one side, to some order, or weighted so that they do
+/// not oscillate [Jiang and Peng 2000]. OpenVDB's WENO5 for conservation laws is no scheme for φ:
+/// it is left out.
 enum class UpwindScheme { first, second, third, weno5 };
 
-/// What moves φ.
+/// The scheme that moves φ.
 enum class Advection {
   upwind,      ///< u·∇φ by the method of lines, in sub-steps of the library's own CFL number
   mac_cormack  ///< semi-Lagrangian, forth, back and corrected, one step whatever its length [Selle
                ///< et al. 2008]
 };
 
-/// What becomes of a MacCormack correction that leaves the range of the values it comes from.
+/// The fate of a MacCormack correction that leaves the range of the values it comes from.
 enum class Limiter {
   clamp,   ///< it is cut off there [Selle et al. 2008, §3.1]
   revert,  ///< there is none
@@ -32,7 +33,7 @@ struct Renormalisation {
   int steps = 3;       ///< each time
 };
 
-/// Defaults are OpenVDB's.
+/// The defaults are OpenVDB's.
 struct LevelSetOptions {
   double cell_size = 0;          ///< must be set
   Point origin = Point::Zero();  ///< a node of the lattice

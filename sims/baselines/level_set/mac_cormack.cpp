@@ -47,7 +47,7 @@ FloatGrid::Ptr reachable(const FloatGrid& grid, const GridVelocity& u, const Mac
         for (auto leaf = range.begin(); leaf; ++leaf)
           for (auto at = leaf->cbeginValueOn(); at; ++at) {
             const Point p = point(at.getCoord());
-            const Point end = path_end(u, p, step.time, step.dt, step.trace_order);
+            const Point end = path_end(u, p, step.path);
             const double length = (end - p).lpNorm<Eigen::Infinity>();
             if (!(length < kLongestPath))
               throw InvalidInput(
@@ -87,7 +87,7 @@ class Step {
 
  private:
   Point back(const openvdb::Coord& node) const {
-    return path_end(u_, point(node), step_.time + step_.dt, -step_.dt, step_.trace_order);
+    return path_end(u_, point(node), step_.path.back());
   }
 
   void correct(openvdb::FloatTree::LeafNodeType& leaf) const {
@@ -110,8 +110,7 @@ class Step {
     if (!(std::abs(was) < background_)) return value;
     const Sample source = sample(old, back(node));
     if (!source.within(background_)) return value;
-    const Sample returned =
-        sample(first, path_end(u_, point(node), step_.time, step_.dt, step_.trace_order));
+    const Sample returned = sample(first, path_end(u_, point(node), step_.path));
     if (!returned.within(background_)) return value;
     const float better = value + (was - returned.value) / 2;
     if (step_.limiter == Limiter::none) return better;

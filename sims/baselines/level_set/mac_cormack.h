@@ -8,8 +8,7 @@
 namespace suture::sims {
 
 struct MacCormackStep {
-  double time = 0, dt = 0;
-  int trace_order = 2;
+  PathStep path;
   Limiter limiter = Limiter::clamp;
 };
 

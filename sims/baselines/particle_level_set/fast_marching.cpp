@@ -25,9 +25,9 @@ double distance_to_plane(const DenseLevelSet& set, std::size_t n) {
   return 1 / std::sqrt(inverse_squares);
 }
 
-/// Distance of node n, which lies next to the surface; `plane` is the distance to the plane.
-double closest_point(const DenseLevelSet& set, std::size_t n, double plane,
-                     const ClosestPoint& closest) {
+/// Distance of node n, which lies next to the surface.
+double closest_point(const DenseLevelSet& set, std::size_t n, const ClosestPoint& closest) {
+  const double plane = distance_to_plane(set, n);
   const Index3 node = set.box.node(n);
   const Point start(node[0], node[1], node[2]);
   Point p = start;
@@ -145,8 +145,7 @@ class March {
 void march_distances(DenseLevelSet& set, const ClosestPoint& closest) {
   const std::vector<std::size_t> nodes = interface_nodes(set);
   std::vector<double> distances(set.phi.size(), kFar);
-  for (const std::size_t n : nodes)
-    distances[n] = closest_point(set, n, distance_to_plane(set, n), closest);
+  for (const std::size_t n : nodes) distances[n] = closest_point(set, n, closest);
   const std::vector<double> starts = scaled(set, nodes, distances);
   March march(set);
   for (std::size_t i = 0; i < nodes.size(); ++i) march.start(nodes[i], starts[i]);

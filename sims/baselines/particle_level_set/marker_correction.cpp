@@ -1,4 +1,4 @@
-// What escaped markers do to the corners of their cells.
+// Escaped markers rebuild φ at the corners of their cells.
 #include "sims/baselines/particle_level_set/marker_correction.h"
 
 #include "kernel/sparse_field.h"

@@ -13,7 +13,7 @@ double radius_at(double depth, const MarkerRules& rules) {
   return std::clamp(depth, rules.smallest_radius, rules.largest_radius);
 }
 
-/// Whether a corner of the cell lies on each side, at most the band's width from the surface.
+/// The sides on which a corner of the cell lies, at most the band's width from the surface.
 struct Near {
   bool inside = false, outside = false;
   bool on(double side) const { return side < 0 ? inside : outside; }
@@ -29,75 +29,125 @@ Near near_surface(const DenseLevelSet& set, std::size_t cell, double band) {
   return near;
 }
 
-/// Attracts a seed along the normal to a random level in the band of its side, unless it is in it
-/// already; no marker if it has not come there after all steps.
-std::optional<Marker> attract(Marker seed, const DenseLevelSet& set, const MarkerRules& rules,
-                              Random& random) {
-  const auto depth = [&] { return seed.side * set.sample(seed.position); };
-  const auto in_band = [&](double d) { return d >= rules.smallest_radius && d <= rules.band; };
-  double now = depth();
-  if (!in_band(now)) {
-    const double goal = random.uniform(rules.smallest_radius, rules.band);
-    for (int i = 0; i < rules.attraction_steps && !in_band(now); ++i) {
-      const Point from = seed.position;
-      const Point way = seed.side * (goal - now) * set.normal(from);
-      seed.position = from + way;
-      if (const double there = depth(); in_band(there)) {
-        now = there;
-        continue;
+/// One re-seeding, from the markers before to those after.
+class Reseeding {
+ public:
+  Reseeding(const std::vector<Marker>& before, const DenseLevelSet& set, const MarkerRules& rules,
+            Random& random)
+      : before_(before), set_(set), rules_(rules), random_(random) {}
+
+  /// Goes through the cells in their order; \return the markers.
+  std::vector<Marker> run() {
+    const NodeBox& box = set_.box;
+    sort_into_cells();
+    for (int i = 0; i + 1 < box.size[0]; ++i)
+      for (int j = 0; j + 1 < box.size[1]; ++j)
+        for (int k = 0; k + 1 < box.size[2]; ++k)
+          reseed_cell({box.low[0] + i, box.low[1] + j, box.low[2] + k});
+    return std::move(after_);
+  }
+
+ private:
+  std::size_t cell_of(const Marker& m) const {
+    return set_.box.at({static_cast<int>(std::floor(m.position[0])),
+                        static_cast<int>(std::floor(m.position[1])),
+                        static_cast<int>(std::floor(m.position[2]))});
+  }
+
+  void sort_into_cells() {
+    first_.assign(set_.box.count() + 1, 0);
+    order_.resize(before_.size());
+    for (const Marker& m : before_) ++first_[cell_of(m) + 1];
+    for (std::size_t c = 0; c < set_.box.count(); ++c) first_[c + 1] += first_[c];
+    std::vector<std::uint32_t> next(first_.begin(), first_.end() - 1);
+    for (std::size_t m = 0; m < before_.size(); ++m)
+      order_[next[cell_of(before_[m])]++] = static_cast<std::uint32_t>(m);
+  }
+
+  void reseed_cell(const Index3& cell) {
+    const std::size_t c = set_.box.at(cell);
+    const Near near = near_surface(set_, c, rules_.band);
+    if (first_[c] == first_[c + 1] && !near.inside && !near.outside) return;
+    const std::size_t others = after_.size();
+    keep(c, near);
+    if (near.inside || near.outside) add(cell, after_.size() - others, near);
+  }
+
+  /// Keeps the markers of the cell that stay, in their order.
+  void keep(std::size_t cell, const Near& near) {
+    std::vector<std::pair<double, std::uint32_t>> candidates[2];
+    std::vector<std::uint32_t> stay;
+    for (std::uint32_t at = first_[cell]; at < first_[cell + 1]; ++at) {
+      const Marker& marker = before_[order_[at]];
+      const double phi = set_.sample(marker.position);
+      if (escaped(marker, phi, rules_))
+        stay.push_back(order_[at]);
+      else if (near.on(marker.side))
+        candidates[marker.side < 0].emplace_back(marker.side * phi - marker.radius, order_[at]);
+    }
+    for (auto& side : candidates) {
+      if (const auto most = static_cast<std::size_t>(rules_.per_cell); side.size() > most) {
+        std::nth_element(side.begin(), side.begin() + static_cast<std::ptrdiff_t>(most),
+                         side.end());
+        side.resize(most);
       }
-      // Half the way then, and on from there wherever it is, as in PhysBAM.
-      seed.position = from + 0.5 * way;
-      now = depth();
+      for (const auto& [depth, m] : side) stay.push_back(m);
     }
-    if (!in_band(now)) return std::nullopt;
+    std::sort(stay.begin(), stay.end());
+    for (const std::uint32_t m : stay) after_.push_back(before_[m]);
   }
-  seed.radius = radius_at(now, rules);
-  return seed;
-}
 
-/// The markers of one cell that stay, in their order.
-void keep(const std::vector<Marker>& all, const std::vector<std::uint32_t>& of_cell,
-          const Near& near, const DenseLevelSet& set, const MarkerRules& rules,
-          std::vector<Marker>& kept) {
-  std::vector<std::pair<double, std::uint32_t>> candidates[2];
-  std::vector<std::uint32_t> stay;
-  for (const std::uint32_t m : of_cell) {
-    const double phi = set.sample(all[m].position);
-    if (escaped(all[m], phi, rules))
-      stay.push_back(m);
-    else if (near.on(all[m].side))
-      candidates[all[m].side < 0].emplace_back(all[m].side * phi - all[m].radius, m);
-  }
-  for (auto& side : candidates) {
-    if (const auto most = static_cast<std::size_t>(rules.per_cell); side.size() > most) {
-      std::nth_element(side.begin(), side.begin() + static_cast<std::ptrdiff_t>(most), side.end());
-      side.resize(most);
+  /// Adds to the cell what it lacks; the last `has` markers are in it already. Sides are added in
+  /// the ratio that is there, evenly to an empty cell, as in PhysBAM.
+  void add(const Index3& cell, std::size_t has, const Near& near) {
+    if (has >= static_cast<std::size_t>(rules_.per_cell)) return;
+    const auto inside = static_cast<std::size_t>(
+        std::count_if(after_.end() - static_cast<std::ptrdiff_t>(has), after_.end(),
+                      [](const Marker& m) { return m.side < 0; }));
+    const std::size_t lacks = static_cast<std::size_t>(rules_.per_cell) - has;
+    std::size_t inner = has > 0 ? lacks * inside / has : (lacks + 1) / 2;
+    if (!near.outside) inner = lacks;
+    if (!near.inside) inner = 0;
+    for (std::size_t i = 0; i < lacks; ++i) {
+      Marker seed{Point::Zero(), 0, i < inner ? -1.0 : 1.0};
+      for (int a = 0; a < 3; ++a) seed.position[a] = cell[a] + random_.uniform();
+      if (const auto marker = attracted(seed)) after_.push_back(*marker);
     }
-    for (const auto& [depth, m] : side) stay.push_back(m);
   }
-  std::sort(stay.begin(), stay.end());
-  for (const std::uint32_t m : stay) kept.push_back(all[m]);
-}
 
-/// Adds to the cell what it lacks; the last `has` of `markers` are in it already. Sides are added
-/// in the ratio that is there, evenly to an empty cell, as in PhysBAM.
-void add(std::vector<Marker>& markers, std::size_t has, const Index3& cell, const Near& near,
-         const DenseLevelSet& set, const MarkerRules& rules, Random& random) {
-  if (has >= static_cast<std::size_t>(rules.per_cell)) return;
-  const auto inside = static_cast<std::size_t>(
-      std::count_if(markers.end() - static_cast<std::ptrdiff_t>(has), markers.end(),
-                    [](const Marker& m) { return m.side < 0; }));
-  const std::size_t lacks = static_cast<std::size_t>(rules.per_cell) - has;
-  std::size_t inner = has > 0 ? lacks * inside / has : (lacks + 1) / 2;
-  if (!near.outside) inner = lacks;
-  if (!near.inside) inner = 0;
-  for (std::size_t i = 0; i < lacks; ++i) {
-    Marker seed{Point::Zero(), 0, i < inner ? -1.0 : 1.0};
-    for (int a = 0; a < 3; ++a) seed.position[a] = cell[a] + random.uniform();
-    if (const auto marker = attract(seed, set, rules, random)) markers.push_back(*marker);
+  /// Attracts a seed along the normal to a random level in the band of its side, unless it is in it
+  /// already; no marker if it has not come there after all steps.
+  std::optional<Marker> attracted(Marker seed) {
+    const auto depth = [&] { return seed.side * set_.sample(seed.position); };
+    const auto in_band = [&](double d) { return d >= rules_.smallest_radius && d <= rules_.band; };
+    double now = depth();
+    if (!in_band(now)) {
+      const double goal = random_.uniform(rules_.smallest_radius, rules_.band);
+      for (int i = 0; i < rules_.attraction_steps && !in_band(now); ++i) {
+        const Point from = seed.position;
+        const Point way = seed.side * (goal - now) * set_.normal(from);
+        seed.position = from + way;
+        if (const double there = depth(); in_band(there)) {
+          now = there;
+          continue;
+        }
+        // Half the way then, and on from there wherever it is, as in PhysBAM.
+        seed.position = from + 0.5 * way;
+        now = depth();
+      }
+      if (!in_band(now)) return std::nullopt;
+    }
+    seed.radius = radius_at(now, rules_);
+    return seed;
   }
-}
+
+  const std::vector<Marker>& before_;
+  const DenseLevelSet& set_;
+  const MarkerRules& rules_;
+  Random& random_;
+  std::vector<std::uint32_t> first_, order_;  ///< of each cell the first place in `order_`
+  std::vector<Marker> after_;
+};
 
 }  // namespace
 
@@ -106,46 +156,19 @@ void adjust_radii(std::vector<Marker>& markers, const DenseLevelSet& set,
   for (Marker& m : markers) m.radius = radius_at(m.side * set.sample(m.position), rules);
 }
 
-void carry(std::vector<Marker>& markers, const GridVelocity& u, double t, double dt, int order) {
+void carry(std::vector<Marker>& markers, const GridVelocity& u, const PathStep& step) {
   for (Marker& m : markers) {
-    m.position = path_end(u, m.position, t, dt, order);
+    m.position = path_end(u, m.position, step);
     if (!m.position.allFinite())
       throw InvalidInput("particle level set: the velocity carries a particle to nowhere at time " +
-                         number(t) + "; give one that is finite everywhere");
+                         number(step.time) + "; give one that is finite everywhere");
   }
 }
 
 void reseed(std::vector<Marker>& markers, const DenseLevelSet& set, const MarkerRules& rules,
             Random& random) {
-  const NodeBox& box = set.box;
-  std::vector<std::uint32_t> first(box.count() + 1, 0), order(markers.size());
-  const auto cell_of = [&](const Marker& m) {
-    return box.at({static_cast<int>(std::floor(m.position[0])),
-                   static_cast<int>(std::floor(m.position[1])),
-                   static_cast<int>(std::floor(m.position[2]))});
-  };
-  for (const Marker& m : markers) ++first[cell_of(m) + 1];
-  for (std::size_t c = 0; c < box.count(); ++c) first[c + 1] += first[c];
-  std::vector<std::uint32_t> next(first.begin(), first.end() - 1);
-  for (std::size_t m = 0; m < markers.size(); ++m)
-    order[next[cell_of(markers[m])]++] = static_cast<std::uint32_t>(m);
-
-  std::vector<Marker> all;
-  std::vector<std::uint32_t> of_cell;
-  for (int i = 0; i + 1 < box.size[0]; ++i)
-    for (int j = 0; j + 1 < box.size[1]; ++j)
-      for (int k = 0; k + 1 < box.size[2]; ++k) {
-        const Index3 cell{box.low[0] + i, box.low[1] + j, box.low[2] + k};
-        const std::size_t c = box.at(cell);
-        const Near near = near_surface(set, c, rules.band);
-        if (first[c] == first[c + 1] && !near.inside && !near.outside) continue;
-        of_cell.assign(order.begin() + first[c], order.begin() + first[c + 1]);
-        const std::size_t before = all.size();
-        keep(markers, of_cell, near, set, rules, all);
-        if (near.inside || near.outside)
-          add(all, all.size() - before, cell, near, set, rules, random);
-      }
-  markers = std::move(all);
+  std::vector<Marker> after = Reseeding(markers, set, rules, random).run();
+  markers = std::move(after);
 }
 
 }  // namespace suture::sims

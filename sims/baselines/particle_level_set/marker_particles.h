@@ -24,8 +24,8 @@ struct MarkerRules {
   int attraction_steps = 15;
 };
 
-/// Whether it lies on the wrong side by more than rules.escape radii; `phi` is φ at its place
-/// [§3.3].
+/// Whether the marker lies on the wrong side by more than rules.escape radii; `phi` is φ at its
+/// place [§3.3].
 inline bool escaped(const Marker& marker, double phi, const MarkerRules& rules) {
   return -marker.side * phi > rules.escape * marker.radius;
 }
@@ -34,8 +34,8 @@ inline bool escaped(const Marker& marker, double phi, const MarkerRules& rules) 
 /// escaped one has the smallest [§3.1].
 void adjust_radii(std::vector<Marker>& markers, const DenseLevelSet& set, const MarkerRules& rules);
 
-/// \throw InvalidInput if a marker comes to lie nowhere finite
-void carry(std::vector<Marker>& markers, const GridVelocity& u, double t, double dt, int order);
+/// Moves the markers along u. \throw InvalidInput if one comes to lie nowhere finite
+void carry(std::vector<Marker>& markers, const GridVelocity& u, const PathStep& step);
 
 /// Throws away the markers that have not escaped and whose cell has no corner on their side in the
 /// band, and the farthest of more than per_cell of one side in a cell; adds to the cells with a

@@ -60,12 +60,13 @@ class ParticleLevelSet : public SurfaceTracker {
   void advect(const VelocityField& u, double dt) override {
     const GridVelocity velocity{u, frame_.origin, frame_.cell_size};
     std::vector<Marker> markers = markers_;
-    costs_.timed("particles",
-                 [&] { carry(markers, velocity, time_, dt, options_.particle_order); });
+    costs_.timed("particles", [&] {
+      carry(markers, velocity, {time_, dt, options_.particle_order});
+    });
     costs_.timed("level_set", [&] {
       set_ = weno() ? weno_advected(set_, velocity, {time_, dt, around(markers)})
                     : semi_lagrangian(set_, velocity,
-                                      {time_, dt, options_.trace_order, around(markers)});
+                                      {{time_, dt, options_.trace_order}, around(markers)});
     });
     markers_ = std::move(markers);
     surface_.reset();

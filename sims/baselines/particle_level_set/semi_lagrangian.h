@@ -8,8 +8,7 @@
 namespace suture::sims {
 
 struct BackTrace {
-  double time = 0, dt = 0;  ///< from time to time + dt
-  int order = 2;            ///< of the paths, 2 to 4
+  PathStep path;  ///< the level set's step forward
   /// A box, in cells, that the new level set has to cover even if no surface comes there; may be
   /// empty, low > high.
   Box cover{Point::Constant(1), Point::Constant(0)};

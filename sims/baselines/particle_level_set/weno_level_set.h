@@ -1,4 +1,4 @@
-// What the particle level set of 2002 does to φ, by OpenVDB: WENO advection and relaxation.
+// The steps of the particle level set of 2002, by OpenVDB: WENO advection and relaxation.
 #pragma once
 
 #include "sims/baselines/grid/dense_level_set.h"
@@ -6,7 +6,7 @@
 
 namespace suture::sims {
 
-/// From time to time + dt; `cover` is as for BackTrace.
+/// A step from `time` to time + dt; `cover` is as for BackTrace.
 struct WenoStep {
   double time = 0, dt = 0;
   Box cover{Point::Constant(1), Point::Constant(0)};

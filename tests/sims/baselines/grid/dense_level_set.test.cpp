@@ -109,7 +109,8 @@ TEST_CASE("re-initialisation again and again leaves a ball where it is") {
 TEST_CASE("a semi-Lagrangian step of whole cells only moves the numbers, however long it is") {
   const DenseLevelSet set = ball(6);
   const VelocityField u = [](const Point&, double) { return Point(20, -3, 0); };
-  const DenseLevelSet moved = semi_lagrangian(set, {u, Point::Zero(), 1}, {.time = 0, .dt = 1});
+  const DenseLevelSet moved =
+      semi_lagrangian(set, {u, Point::Zero(), 1}, {.path = {.time = 0, .dt = 1}});
   CHECK(moved.sample(kOff + Point(20, -3, 0)) < -4.9);
   double worst = 0;
   for (std::size_t n = 0; n < moved.phi.size(); ++n) {
@@ -132,7 +133,7 @@ TEST_CASE("paths converge with the order of their Runge-Kutta method") {
       Point p(1, 0, 0);
       const int steps = fine ? 20 : 10;
       for (int i = 0; i < steps; ++i)
-        p = path_end({u, Point::Zero(), 1}, p, 0.5 * i / steps, 0.5 / steps, order);
+        p = path_end({u, Point::Zero(), 1}, p, {0.5 * i / steps, 0.5 / steps, order});
       errors[fine] = (p - Point(std::cos(angle), std::sin(angle), 0)).norm();
     }
     CHECK(std::log2(errors[0] / errors[1]) == Approx(order).margin(0.3));

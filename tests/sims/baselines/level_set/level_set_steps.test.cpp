@@ -50,7 +50,7 @@ double mac_cormack_error(int length, Limiter limiter) {
   auto grid = wave(length, 3);
   const GridVelocity u{along_x, Point::Zero(), 1};
   const int steps = length / 4;
-  for (int i = 0; i < steps; ++i) grid = mac_cormack(*grid, u, {0.4 * i, 0.4, 2, limiter});
+  for (int i = 0; i < steps; ++i) grid = mac_cormack(*grid, u, {{0.4 * i, 0.4, 2}, limiter});
   return mean_error(*grid, length, 0.4 * steps);
 }
 
@@ -81,7 +81,7 @@ TEST_CASE("a limited MacCormack step makes no new extrema of a jump, an unlimite
     auto grid = wave(16, 3);
     for (auto at = grid->beginValueOn(); at; ++at) at.setValue(at.getCoord()[0] < 0 ? -1.0F : 1.0F);
     const GridVelocity u{along_x, Point::Zero(), 1};
-    for (int i = 0; i < 4; ++i) grid = mac_cormack(*grid, u, {0.4 * i, 0.4, 2, limiter});
+    for (int i = 0; i < 4; ++i) grid = mac_cormack(*grid, u, {{0.4 * i, 0.4, 2}, limiter});
     auto values = grid->getConstAccessor();
     float most = 0;
     for (int i = -8; i < 8; ++i) most = std::max(most, std::abs(values.getValue({i, 0, 0})));
