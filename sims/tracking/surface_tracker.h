@@ -8,7 +8,7 @@
 
 namespace suture::sims {
 
-/// What a tracker has spent so far, and counts such as cells re-sampled or particles.
+/// The cost of a tracker so far, with counts such as cells re-sampled or particles.
 using TrackerCost = Costs;
 
 /// Owns a surface in whatever form it keeps it. Lengths and times are in the scene's unit. Every
