@@ -1,5 +1,7 @@
-// The tables of what a scene says of its bodies, of time, of what is written and what is measured.
+// What a scene says of its bodies, of time, of what is written and what is measured, as options.
 #include "sims/scene/option_tables.h"
+
+#include <cmath>
 
 #include "sims/flows/motions.h"
 
@@ -14,10 +16,10 @@ constexpr double kMostCopies = 1e6;  // beyond it a count is surely a slip
 
 const Range kCount = Range::at_least(0);
 
-const OptionTable<Scene> kScene("", {{"title",
-                                      &Scene::title,
-                                      {.meaning = "what the scene is called in reports",
-                                       .otherwise = "the file's name"}}});
+const OptionTable<TitleOptions> kTitle("", {{"title",
+                                             &TitleOptions::title,
+                                             {.meaning = "what the scene is called in reports",
+                                              .otherwise = "the file's name"}}});
 
 using T = TimeOptions;
 const OptionTable<T> kTime("time", {{"step",
@@ -155,13 +157,13 @@ const OptionTable<M> kMeasure(
       {.meaning = "the run ends once no more components than this are left; 0: at its end",
        .range = Range::between(0, 1e9)}}});
 
-const OptionTable<Phase> kPhase(
+const OptionTable<PhaseOptions> kPhase(
     "motion",
     {{"kind",
-      {&Phase::kind, motion_names()},
+      {&PhaseOptions::kind, motion_names()},
       {.meaning = "what moves the surface; each kind has keys of its own", .required = true}},
      {"until",
-      &Phase::until,
+      &PhaseOptions::until,
       {.meaning = "with [[motion]] given several times: time at which the next one takes "
                   "over, later than that of the one before",
        .unit = unit::time,
@@ -212,12 +214,28 @@ const OptionTable<B> kBody(
 
 }  // namespace
 
-const OptionTable<Scene>& scene_options() { return kScene; }
+std::int64_t TimeOptions::steps() const {
+  // A quotient that rounding left just above a whole number is that number.
+  constexpr double rounding = 1e-9;
+  return static_cast<std::int64_t>(std::ceil(end / step * (1 - rounding)));
+}
+
+bool Every::wants(std::int64_t index, const TimeOptions& time) const {
+  if (!any()) return false;
+  if (index == 0 || index == time.steps()) return true;
+  if (steps > 0 && index % steps == 0) return true;
+  const double now = static_cast<double>(index) * time.step;
+  for (const double t : at)
+    if (std::abs(t - now) < 0.5 * time.step) return true;
+  return false;
+}
+
+const OptionTable<TitleOptions>& title_options() { return kTitle; }
 const OptionTable<TimeOptions>& time_options() { return kTime; }
 const OptionTable<OutputOptions>& mesh_options() { return kMeshes; }
 const OptionTable<OutputOptions>& picture_options() { return kPictures; }
 const OptionTable<MeasureOptions>& measure_options() { return kMeasure; }
-const OptionTable<Phase>& phase_options() { return kPhase; }
+const OptionTable<PhaseOptions>& phase_options() { return kPhase; }
 const OptionTable<PlacedOptions>& placed_options() { return kPlaced; }
 const OptionTable<BodyOptions>& body_options() { return kBody; }
 

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "kernel/shapes/catalogue.h"
+#include "sims/baselines/method_options.h"
 #include "sims/flows/motions.h"
 #include "sims/fluid/options_table.h"
 #include "sims/scene/option_tables.h"
@@ -114,7 +115,7 @@ std::string row(const OptionInfo& o) {
 }  // namespace
 
 std::vector<ReferenceSection> scene_reference() {
-  Sections all = {{"", "Before any table.", infos(scene_options())}};
+  Sections all = {{"", "Before any table.", infos(title_options())}};
   add_bodies(all);
   add_motions(all);
   all.push_back({"tracker", "The tracker's lattice and surgery.", infos(tracker_options())});

@@ -133,22 +133,6 @@ void apply(const SceneChanges& changes, TomlTable& toml) {
 
 }  // namespace
 
-std::int64_t TimeOptions::steps() const {
-  // A quotient that rounding left just above a whole number is that number.
-  constexpr double rounding = 1e-9;
-  return static_cast<std::int64_t>(std::ceil(end / step * (1 - rounding)));
-}
-
-bool Every::wants(std::int64_t index, const TimeOptions& time) const {
-  if (!any()) return false;
-  if (index == 0 || index == time.steps()) return true;
-  if (steps > 0 && index % steps == 0) return true;
-  const double now = static_cast<double>(index) * time.step;
-  for (const double t : at)
-    if (std::abs(t - now) < 0.5 * time.step) return true;
-  return false;
-}
-
 Scene read_scene(const std::filesystem::path& file, const SceneChanges& changes) {
   if (!std::filesystem::is_regular_file(file))
     throw InvalidInput(file.string() + ": there is no such file; give a scene's path");
@@ -184,9 +168,7 @@ Scene parse_scene(const std::string& text, const std::filesystem::path& file,
   apply(changes, toml);
   Scene scene;
   scene.file = file;
-  scene.title = file.stem().string();
-  read(toml.keys, scene_options(), scene);
-  toml.keys.done();
+  scene.title = read_all(toml.keys, title_options(), {file.stem().string()}).title;
   scene.tracker = read_all(table(toml, "tracker").keys, tracker_options());
   scene.tracker.quality = read_all(table(toml, "quality").keys, quality_options());
   scene.method = read_method(table(toml, "method").keys, scene.tracker);

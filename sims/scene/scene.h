@@ -11,7 +11,7 @@
 
 #include "sims/baselines/method.h"
 #include "sims/flows/motion.h"
-#include "sims/output/picture.h"
+#include "sims/scene/option_tables.h"
 #include "sims/scene/placed_shape.h"
 #include "sims/scene/scene_sources.h"
 #include "surgery/model/options.h"
@@ -26,46 +26,6 @@ struct Phase {
   std::map<std::string, Value> parameters;  ///< as given
   double until = std::numeric_limits<double>::infinity();
   std::unique_ptr<Motion> motion;
-};
-
-struct TimeOptions {
-  double step = 0;  ///< dt
-  double end = 0;
-  int remodel_every = 1;       ///< steps; 0: never
-  int improve_every = 1;       ///< steps; 0: never
-  std::int64_t steps() const;  ///< the least number of whole steps that reaches `end`
-};
-
-/// Which steps are written; the first and the last always are, where any is.
-struct Every {
-  int steps = 0;           ///< 0: none but those in `at`
-  std::vector<double> at;  ///< times
-  bool wants(std::int64_t step, const TimeOptions& time) const;
-  bool any() const { return steps > 0 || !at.empty(); }
-};
-
-/// What the camera keeps in view.
-enum class Fit { first, each, box };
-
-struct OutputOptions {
-  std::string mesh_format = "ply";  ///< or "obj", "off", "stl"
-  Every meshes, pictures;
-  Colour colour = Colour::patches;
-  double patch_fading = 0;  ///< time in which a patch's colour fades; 0: a tenth of the whole
-  Fit fit = Fit::first;
-  Box box;                                     ///< with Fit::box only: what is in view
-  std::optional<Point> cut_point, cut_normal;  ///< neither: nothing is cut away
-  PictureOptions picture;                      ///< with its box and cut as the fields above say
-};
-
-/// What `suture measure` is to look at, and what is right.
-struct MeasureOptions {
-  std::vector<double> at;                ///< times; empty: the end
-  std::string reference = "exact";       ///< "exact", "polyhedron", "none"
-  double tolerance = 0;                  ///< of an exact reference; 0: a thousandth of a cell
-  std::optional<int> components, euler;  ///< none: as the first surface has them
-  double domain = 0;                     ///< its side, for the table; 0: none is known
-  int until_components = 0;              ///< the run ends where no more are left; 0: at its end
 };
 
 struct Scene {

@@ -5,6 +5,7 @@
 #include <set>
 
 #include "kernel/files.h"
+#include "sims/baselines/method_options.h"
 #include "sims/flows/motion_options.h"
 #include "sims/flows/motions.h"
 #include "sims/fluid/options_table.h"
