@@ -24,7 +24,7 @@ constexpr std::uint64_t mixed(std::uint64_t h, std::uint64_t x) {
   return h ^ (h >> 32);
 }
 
-/// Where an FNV-1a hash of 64 bits begins.
+/// An FNV-1a hash of 64 bits begins with this number.
 inline constexpr std::uint64_t kFnvStart = 0xcbf29ce484222325ULL;
 
 /// FNV-1a [Fowler, Noll and Vo 1991] of the bytes, going on from `hash`.

@@ -64,7 +64,7 @@ inline constexpr Unit degrees{"degrees"}, cells{"cells"}, steps{"steps"}, pixels
 
 enum class OptionType { flag, integer, number, point, list, choice, text };
 
-/// What is known of an option besides its value. An author writes the first group; a table fills in
+/// Everything about an option but its value. An author writes the first group; a table fills in
 /// the second from the option's field.
 struct OptionInfo {
   std::string name{};     ///< the one by which files, reports and flags call it
@@ -83,8 +83,8 @@ struct OptionInfo {
 /// The values that an option allows, as in "a number, from 0 to 1".
 std::string allowed(const OptionInfo& option);
 
-/// What is wrong with a value and what is allowed, as in "is -1; allowed is at least 0"; empty
-/// where the option allows it. A number may be given as an integer.
+/// Says what is wrong with a value and what is allowed, as in "is -1; allowed is at least 0", or
+/// nothing if the option allows it. A number may be given as an integer.
 std::string objection(const OptionInfo& option, const Value& value);
 
 /// The name among `known` that is nearest to `wrong` by edit distance, or empty if none is near.

@@ -163,7 +163,7 @@ class OptionTable {
   std::vector<Row> rows_;
 };
 
-/// What is known of each option, without its values.
+/// The description of each option, without its value.
 template <class Options>
 std::vector<OptionInfo> infos(const OptionTable<Options>& table) {
   std::vector<OptionInfo> all;

@@ -47,8 +47,8 @@ class MarchingTetrahedra {
   Triangles surface_;
 };
 
-/// Where a linear function with the values `from` and `to` at two nodes is zero: as a part of the
-/// way between them, from off_ends to 1 − off_ends. \pre the two values have opposite signs
+/// The zero of a linear function with the values `from` and `to` at two nodes, as a part of the way
+/// between them, from off_ends to 1 − off_ends. \pre the two values have opposite signs
 double linear_zero(double from, double to, double off_ends);
 
 }  // namespace suture

@@ -18,7 +18,7 @@ enum class MethodKind {
   semi_lagrangian_contouring
 };
 
-/// What the table [method] of a scene says; only the options of its kind mean anything.
+/// The table [method] of a scene. Only the options of its kind mean anything.
 struct MethodOptions {
   MethodKind kind = MethodKind::mesh;
   LevelSetOptions level_set;

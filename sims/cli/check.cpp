@@ -29,7 +29,7 @@ struct Verdict {
 
 bool measurable(const Audit& a) { return a.finite() && a.indices_out_of_range == 0; }
 
-/// Where triangles repeat, pairs say nothing new, and there can be very many of them.
+/// Pairs say nothing new if triangles repeat, and there can be very many of them.
 bool countable(const Audit& a) { return a.duplicate_triangles == 0 && a.degenerate_triangles == 0; }
 
 void count_pairs(const Triangles& surface, Verdict& verdict) {

@@ -5,7 +5,7 @@
 
 namespace suture::sims {
 
-/// What the program tells its caller.
+/// The exit codes by which the program answers its caller.
 enum Exit : int { kDone = 0, kNo = 1, kBadInput = 2, kFailure = 3 };
 
 /// Each sets `exit` when its subcommand has run; errors are thrown.

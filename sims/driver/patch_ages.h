@@ -19,7 +19,7 @@ class PatchAges {
   void remodelled(const SurgeryReport& report, const Triangles& surface);
   void improved(const QualityReport& report, const Triangles& surface);
 
-  /// Of each vertex 1 as surgery made it, fading to 0.
+  /// A number for each vertex: 1 as surgery made it, fading to 0.
   const std::vector<double>& freshness() const { return freshness_; }
   /// The part of the area whose triangles have no corner that surgery ever made.
   double untouched_area(const Triangles& surface) const;

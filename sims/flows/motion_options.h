@@ -22,7 +22,7 @@ struct BodiesParameters {
   double relaxation = 1;  ///< time in which what has merged comes to move as one
 };
 
-/// What most velocity fields can be asked for besides.
+/// A parameter that most velocity fields have besides their own.
 struct ReversalParameters {
   double reversal = 0;  ///< time at which all is back in place; 0: never
 };

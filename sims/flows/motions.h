@@ -13,7 +13,7 @@ namespace suture::sims {
 /// The names that make_motion knows, in alphabetical order.
 std::vector<std::string> motion_names();
 
-/// What is known of the parameters of the motion called `kind`; none of an unknown one.
+/// Describes the parameters of the motion called `kind`; an unknown one has none.
 std::vector<OptionInfo> motion_parameters(const std::string& kind);
 
 /// The motion called `kind`, with its parameters read from `keys`, which may hold nothing else.

@@ -5,7 +5,7 @@
 
 namespace suture::sims {
 
-/// What the steps of a frame had at worst.
+/// The steps of a frame at their worst.
 struct FluidFrame {
   int steps = 0;
   /// dt and tension_share are the least, cfl, drops and residual the most, cells and liquid the

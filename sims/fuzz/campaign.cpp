@@ -73,7 +73,7 @@ class Campaign : public PoolClient {
     --range.cases;
   }
 
-  /// What a worker left undone is done by another, but for the case that ended it.
+  /// Another worker does the work that one left undone, but for the case that ended it.
   void ended(std::size_t task, const Ended& how) override {
     sum_.cpu_seconds += how.cpu_seconds;
     const SeedRange range = left_.at(task);

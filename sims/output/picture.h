@@ -9,7 +9,7 @@
 
 namespace suture::sims {
 
-/// What a triangle's colour says.
+/// The meaning of a triangle's colour.
 enum class Colour {
   plain,      ///< one colour
   patches,    ///< what surgery made, fading with age

@@ -171,8 +171,8 @@ void add_surface(vtkRenderer* renderer, vtkPolyData* data, const PictureOptions&
   renderer->AddActor(actor);
 }
 
-/// What is seen from behind is the inside of the material, and only a cut shows it: drawn in one
-/// flat colour it looks like the solid's section, without any need to make one.
+/// Triangles seen from behind are the inside of the material, and only a cut shows them. Drawn in
+/// one flat colour they look like the solid's section, without any need to make one.
 void add_section(vtkRenderer* renderer, vtkPolyData* data) {
   vtkNew<vtkPolyDataMapper> mapper;
   mapper->SetInputData(data);

@@ -21,7 +21,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Where a model of this name is: in $SUTURE_MODELS, or in data/models seen from the scene's
+/// Finds the model of this name in $SUTURE_MODELS, or in data/models seen from the scene's
 /// folder.
 fs::path find_model(const std::string& name, const fs::path& folder, const SceneSources& sources) {
   std::vector<fs::path> places;
@@ -69,7 +69,7 @@ Triangles turned(Triangles surface, const Turn& turn, const Keys& keys) {
   return rotated(std::move(surface), turn.axis, turn.degrees * (std::numbers::pi / 180));
 }
 
-/// Where files and shapes come from, and what the user is told.
+/// The sources of files and shapes, and the notes for the user.
 struct Surroundings {
   const fs::path& folder;
   const SceneSources& sources;
@@ -136,7 +136,7 @@ PlacedShape place(Source& source, const PlacedOptions& o, const Keys& keys) {
   return is;
 }
 
-/// Where the copies of a body go: one as it is, or many at seeded random places in a box.
+/// The places of a body's copies: one as it is, or many at seeded random places in a box.
 std::vector<Point> scattered(const BodyOptions& o, const Keys& keys) {
   const Point low = o.scatter_low, high = o.scatter_high.value_or(low);
   Random random(static_cast<std::uint64_t>(o.scatter_seed));

@@ -18,7 +18,7 @@ struct TimeOptions {
   std::int64_t steps() const;  ///< the least number of whole steps that reaches `end`
 };
 
-/// Which steps are written; the first and the last always are, where any is.
+/// The steps that are written. The first and the last always are, where any is.
 struct Every {
   int steps = 0;           ///< 0: none but those in `at`
   std::vector<double> at;  ///< times
@@ -26,7 +26,7 @@ struct Every {
   bool any() const { return steps > 0 || !at.empty(); }
 };
 
-/// What the camera keeps in view.
+/// The part of the scene that the camera keeps in view.
 enum class Fit { first, each, box };
 
 struct OutputOptions {
@@ -40,7 +40,7 @@ struct OutputOptions {
   PictureOptions picture;                      ///< with its box and cut as the fields above say
 };
 
-/// What `suture measure` is to look at, and what is right.
+/// The times and things that `suture measure` looks at, and the right answers.
 struct MeasureOptions {
   std::vector<double> at;                ///< times; empty: the end
   std::string reference = "exact";       ///< "exact", "polyhedron", "none"
@@ -50,7 +50,7 @@ struct MeasureOptions {
   int until_components = 0;              ///< the run ends where no more are left; 0: at its end
 };
 
-/// Where the surface of a body or a solid comes from, and how it is placed.
+/// The source of the surface of a body or a solid, and its place.
 struct PlacedOptions {
   std::optional<std::string> shape, mesh, model;  ///< one of them
   std::optional<std::string> fallback;            ///< the shape where there is no such model
@@ -70,7 +70,7 @@ struct BodyOptions {
   std::optional<Point> scatter_high;  ///< none: scatter_low
 };
 
-/// What moves the surface, and the time at which the next motion takes over.
+/// The kind of a motion, and the time at which the next one takes over.
 struct PhaseOptions {
   std::string kind;
   double until = std::numeric_limits<double>::infinity();

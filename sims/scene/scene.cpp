@@ -147,7 +147,7 @@ PictureOptions read_picture_options(const std::filesystem::path& file) {
 
 namespace {
 
-/// What moves the surface: a fluid, or motions.
+/// Reads the table of the fluid, or of the motions, that move the surface.
 void read_movers(TomlTable& toml, const SceneSources& sources, Scene& scene) {
   scene.fluid = read_fluid(toml, scene.tracker, scene.file.parent_path(), sources, scene.notes);
   if (!scene.fluid) {

@@ -12,7 +12,7 @@
 
 namespace suture::sims {
 
-/// By default the file system and the catalogue of shapes. A program that reads scenes it does not
+/// The file system and the catalogue of shapes by default. A program that reads scenes it does not
 /// trust, or holds meshes in memory, gives its own; each may throw InvalidInput.
 struct SceneSources {
   std::function<bool(const std::filesystem::path&)> is_file = [](const std::filesystem::path& p) {

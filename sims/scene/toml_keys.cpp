@@ -15,7 +15,8 @@ namespace {
 // 100,000 parts takes the stack: toml++ 3.3 bounds how deep values are nested, but not names.
 constexpr int kMostParts = 16, kDeepest = 16;
 
-/// Where the text in quotes that starts at `begin` ends: one line, or more between three quotes.
+/// Finds the end of the text in quotes that starts at `begin`: one line, or more between three
+/// quotes.
 std::size_t end_of_quoted(std::string_view text, std::size_t begin) {
   const char quote = text[begin];
   const bool lines = text.substr(begin, 3) == std::string(3, quote);

@@ -28,7 +28,7 @@ struct Design {
   std::vector<Factor> factors;
 };
 
-/// Which designs are made of factors: each alone, and all as one grid.
+/// The designs that are made of factors: each alone, and all as one grid.
 struct DesignChoice {
   bool one = true, grid = true;
 };

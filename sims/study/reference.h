@@ -35,7 +35,7 @@ Triangles quartered(Triangles surface, std::size_t most);
 SceneChanges finest_changes(const Settings& own, const std::vector<PlannedRun>& runs,
                             double factor);
 
-/// What a reference is for: the scene, the study's folder, and the runs that it is to be finer
+/// The purpose of a reference: its scene, the study's folder, and the runs that it is to be finer
 /// than.
 struct StudyPlan {
   const std::filesystem::path& scene;

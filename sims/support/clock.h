@@ -40,8 +40,8 @@ class Lap {
   double start_;
 };
 
-/// What work has cost so far: CPU seconds of this process by part of the work, and counts of what
-/// was done. Both keep the order in which their names were first given.
+/// The cost of work so far: CPU seconds of this process by part of the work, and counts of things
+/// done. Both keep the order in which their names were first given.
 struct Costs {
   using List = std::vector<std::pair<std::string, double>>;
   List seconds;

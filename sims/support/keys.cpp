@@ -68,11 +68,6 @@ std::int64_t Keys::integer(const std::string& key, Range allowed, std::int64_t f
   return given ? std::get<std::int64_t>(*given) : fallback;
 }
 
-bool Keys::flag(const std::string& key, bool fallback) {
-  const auto given = value({.name = key, .type = OptionType::flag});
-  return given ? std::get<bool>(*given) : fallback;
-}
-
 std::string Keys::text(const std::string& key) {
   return std::get<std::string>(*value({.name = key, .required = true, .type = OptionType::text}));
 }
@@ -91,12 +86,6 @@ std::string Keys::one_of(const std::string& key, const std::vector<std::string>&
 std::vector<double> Keys::list(const std::string& key, Range allowed) {
   const auto given = value({.name = key, .range = allowed, .type = OptionType::list});
   return given ? std::get<std::vector<double>>(*given) : std::vector<double>{};
-}
-
-Point Keys::vector(const std::string& key, const Point& fallback) {
-  const auto given = value({.name = key, .type = OptionType::point});
-  if (!given) return fallback;
-  return Eigen::Map<const Point>(std::get<std::vector<double>>(*given).data());
 }
 
 void Keys::done() const {

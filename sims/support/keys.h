@@ -41,10 +41,8 @@ class Keys {
   double number(const std::string& key, Range allowed);
   double number(const std::string& key, Range allowed, double fallback);
   std::int64_t integer(const std::string& key, Range allowed, std::int64_t fallback);
-  bool flag(const std::string& key, bool fallback);
   std::string text(const std::string& key);
   std::string text(const std::string& key, const std::string& fallback);
-  Point vector(const std::string& key, const Point& fallback);
   std::vector<double> list(const std::string& key, Range allowed);
 
   template <class T, std::size_t N>

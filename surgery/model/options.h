@@ -6,14 +6,15 @@
 
 namespace suture {
 
-/// Which topology changes are allowed [§5.3]: deep cells inside the material merge, outside they
+/// The topology changes that are allowed [§5.3]: deep cells inside the material merge, outside they
 /// split.
 enum class Events { none, merge, split, both };
 
-/// Which complex cells start a region: only deep ones [§5.3], or each of them (Figure 4 compares).
+/// The complex cells that start a region: only deep ones [§5.3], or each of them (Figure 4
+/// compares).
 enum class CellTest { deep, plain };
 
-/// What becomes of type 2 vertices, and when [§6.1 step 3, §6.2].
+/// The fate of type 2 vertices, and its time [§6.1 step 3, §6.2].
 enum class Collapse {
   straighten,  ///< they collapse after the fill: nothing can gridlock
   /// None goes. Outside the region old vertices stay to the last bit, and so do triangles but for
@@ -22,7 +23,7 @@ enum class Collapse {
   paper  ///< they collapse before the fill; on gridlock the region grows and all starts again
 };
 
-/// Where the fill's own vertices go along their lattice edge [§6.1 step 5].
+/// The place of the fill's own vertices along their lattice edge [§6.1 step 5].
 enum class Placement {
   /// The zero of D between its two nodes, as the paper does. D is the distance to any sheet: one
   /// that is
@@ -31,7 +32,7 @@ enum class Placement {
   crossing  ///< the exact point where the mesh passes from outside to inside
 };
 
-/// Where subdivision puts a new vertex [§6.2].
+/// The place of a new vertex of subdivision [§6.2].
 enum class Subdivision {
   midpoint,  ///< flattens curved surfaces a little each time
   curved,    ///< on the cubic that the edge's end points and normals define
@@ -44,8 +45,8 @@ enum class Subdivision {
 /// Mesh improvement [§6.2]. Lengths are in the scene's unit.
 struct QualityOptions {
   double edge_length = 0;  ///< the length aimed at; 0: the cell size of the tracker
-  /// Where the surface is curved, edges aim at the length whose middle is this far from it; 0: at
-  /// edge_length everywhere [Dunyach et al. 2013].
+  /// Edges aim at the length whose middle is this far from a curved surface; 0: at edge_length
+  /// everywhere [Dunyach et al. 2013].
   double chord_error = 0;
   double finest = 0.25;        ///< × edge_length: the least length that curvature may ask for
   double longest = 1.5;        ///< edges above longest × edge_length are subdivided

@@ -33,7 +33,7 @@ struct ProjectionTerms {
   void add_divergence(std::vector<double> more);
 };
 
-/// Where a point of the surface goes in a step.
+/// Gives the place to which a point of the surface goes in a step.
 using SurfacePath = std::function<Point(const Point&)>;
 
 /// An effect that a scene names; one that it does not name is not made. A step calls the functions

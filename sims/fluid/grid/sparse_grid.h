@@ -14,7 +14,8 @@ namespace suture::sims {
 using Slot = std::size_t;
 inline constexpr Slot kNoSlot = static_cast<Slot>(-1);
 
-/// Where cells are, whether they exist or not: the low corner of cell (0,0,0), and a cell's side.
+/// The places of cells, whether they exist or not: the low corner of cell (0,0,0), and a cell's
+/// side.
 struct GridFrame {
   Point origin = Point::Zero();
   double h = 0;

@@ -28,14 +28,15 @@ SparseGrid blocks_near(const Triangles& surface, const GridFrame& frame, int wid
 /// that are so near the triangle, and few others.
 std::vector<std::uint8_t> cells_near(const Triangles& surface, const SparseGrid& grid, int width);
 
-/// Where the surface crosses the way between the centres of the two cells at a face: the lowest and
-/// the highest place, as parts of the way up.
+/// The surface's crossings of the way between the centres of the two cells at a face: the lowest
+/// and the highest place, as parts of the way up.
 struct FaceCrossing {
   Slot face;
   double lowest, highest;
 };
 
-/// Where the lines through cell centres along an axis meet the surface, sorted by face. A line
+/// Finds the crossings of the surface with the lines through cell centres along an axis, sorted by
+/// face. A line
 /// through an edge or a vertex meets the triangles on both sides of it.
 std::vector<FaceCrossing> crossings_along(const Triangles& surface, const SparseGrid& grid,
                                           int axis);

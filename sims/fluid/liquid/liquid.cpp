@@ -107,8 +107,8 @@ void set_crossing(std::vector<FaceCrossing>& crossings, std::vector<FaceCrossing
     added.push_back(crossing);
 }
 
-/// Where the ways from continued cells cross their planes; faces of `axis` that have no crossing
-/// yet are returned.
+/// Finds the crossings of the ways from continued cells with their planes. Faces of `axis` that
+/// have no crossing yet are returned.
 std::vector<FaceCrossing> crossings_of_planes(Liquid& liquid,
                                               const std::vector<Continued>& continued, int axis) {
   const SparseGrid& grid = *liquid.grid;

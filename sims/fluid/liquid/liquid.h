@@ -10,7 +10,7 @@
 
 namespace suture::sims {
 
-/// Which cells of a grid are liquid.
+/// Marks the cells of a grid that are liquid.
 struct Liquid {
   SharedGrid grid;
   /// D at cell centres, a slot each: exact within kNear cells of the surface, ±kFar·h of the right
@@ -27,7 +27,8 @@ struct Liquid {
   std::size_t memory() const;
 };
 
-/// Where liquid may flow: its cells, and what solids leave open of their faces.
+/// The room in which liquid may flow: its cells, and the part of their faces that solids leave
+/// open.
 struct FlowDomain {
   const Liquid& liquid;
   const SolidFaces& solids;

@@ -22,7 +22,7 @@ struct LiquidMeasures {
   double largest_divergence = 0;           ///< beyond the wanted one, of cells inside, per time
 };
 
-/// What a measurement takes into account beside the flow.
+/// The density and gravity that a measurement takes into account beside the flow.
 struct LiquidProperties {
   double density = 1;
   Point gravity = Point::Zero();

@@ -33,7 +33,8 @@ void for_each_carried_face(const Liquid& liquid, Visit visit) {
 MacVelocity carried(const MacVelocity& old, const Liquid& liquid, double dt,
                     VelocityAdvection scheme);
 
-/// Where the path through u began that ends at p after dt; dt < 0 goes on instead.
+/// The starting point of the path through u that ends at p after dt. With dt < 0 the path goes on
+/// from p instead.
 Point path_start(const MacVelocity& u, const Point& p, double dt);
 
 }  // namespace suture::sims

@@ -11,7 +11,8 @@
 namespace suture::sims {
 namespace {
 
-/// Where in its cell what is known by known[place] is: cells' middles, and edges along an axis.
+/// The place within its cell of the components that known[place] marks: cells' middles, and edges
+/// along an axis.
 std::array<double, 3> within(int place) {
   if (place == 0) return {0.5, 0.5, 0.5};
   std::array<double, 3> w{};
@@ -25,8 +26,8 @@ Point position(const SparseGrid& grid, int place, Slot s) {
   return grid.origin() + grid.h() * Point(c[0] + w[0], c[1] + w[1], c[2] + w[2]);
 }
 
-/// Where a strain has components: the middle of a cell (kind 0) or of one of its edges along an
-/// axis (kind 1 + axis).
+/// A place that has components of a strain: the middle of a cell (kind 0) or of one of its edges
+/// along an axis (kind 1 + axis).
 struct Place {
   int kind;
   Slot slot;
@@ -186,7 +187,7 @@ TensorField turned(const Strain& strain, const MacVelocity& u, double dt) {
   return made;
 }
 
-/// Where the paths that lead to a strain's places begin, on a grid.
+/// The starting points, on a grid, of the paths that lead to a strain's places.
 struct PathStarts {
   const Strain& to;
   const SparseGrid& grid;

@@ -41,8 +41,8 @@ double size_of(const ViscousSystem& system, const std::vector<double>& scale) {
   return at_rest + norm(residual(system, v, Motion::rigid), scale);
 }
 
-/// Where there is no liquid in a face's control volume, what the terms round it leave free of its
-/// velocity means nothing: this part of the diagonal keeps that from changing.
+/// The velocity of a face without liquid in its control volume means nothing as far as the terms
+/// round it leave it free: this part of the diagonal keeps it from changing.
 constexpr double kPinned = 1e-9;
 
 /// The faces without mass take up strain to this tolerance: in a stiff liquid the rest's energy
