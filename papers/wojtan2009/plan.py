@@ -1,6 +1,6 @@
 """Which runs the comparison is made of: each a name and what `suture measure` is told."""
 
-METHODS = {  # the rivals as their authors' papers and libraries have them
+METHODS = {  # the baselines as their authors' papers and libraries have them
     "level_set": ["--method", "level_set"],
     "level_set_mac_cormack": ["--method", "level_set", "--set", "method.advection=mac_cormack"],
     "particle_level_set": ["--method", "particle_level_set"],
@@ -34,7 +34,7 @@ class Plan:
         self.runs[name] = {"group": group, "scene": scene, "arguments": flat}
 
 
-def rivals(plan, config):
+def baselines(plan, config):
     for scene in ("zalesak", "enright"):
         for resolution in config["resolutions"]:
             for method, words in METHODS.items():
@@ -114,7 +114,7 @@ def sequences(plan, config):
 
 def plan_of(config):
     plan = Plan()
-    for part in (rivals, meshes, thin_sheet, convergence, topology, sequences):
+    for part in (baselines, meshes, thin_sheet, convergence, topology, sequences):
         part(plan, config)
     for name in config.get("without", []):
         del plan.runs[name]

@@ -66,12 +66,12 @@ def zalesak(t, resolution):
                 f"too) at most {marker / cell:.2g} cells off (RK4 markers {least / cell:.2g})")
         holds = cells == 0 and abs(number(row, "volume_drift")) < 1e-6 and marker <= 1.001 * least
         yield verdict(f"{figure}, {turns}", claim, ours, holds)
-    rivals = {"level_set": "level sets round the corners off",
+    baselines = {"level_set": "level sets round the corners off",
               "level_set_mac_cormack": "level sets round the corners off",
               "particle_level_set": PARTICLES, "particle_level_set_weno": PARTICLES,
               "semi_lagrangian_contouring": "contouring every step rounds the corners off"}
     level_set = t.at(f"zalesak.level_set.{resolution}", 628)
-    for method, said in rivals.items():
+    for method, said in baselines.items():
         row = t.at(f"zalesak.{method}.{resolution}", 628)
         if row is None or level_set is None:
             absent = method if row is None else "level_set"
