@@ -31,6 +31,12 @@ int run_scene(const Settings& s) {
   if (r.refused != 0)
     fmt::print(stderr, "{} surgeries were refused, the first because: {}; reproducer: {}\n",
                r.refused, r.failure, r.reproducer);
+  if (r.unconverged != 0)
+    fmt::print(stderr,
+               "{} linear solves of the fluid did not converge, and their last iterates were used: "
+               "see \"unconverged\" in report.json; give the fluid a larger most_iterations or "
+               "shorter steps (cfl)\n",
+               r.unconverged);
   if (!r.audit.closed_manifold())
     fmt::print(stderr, "the last surface is not a closed manifold: {}\n", r.audit.first);
   return r.refused == 0 && r.audit.closed_manifold() ? kDone : kFailure;

@@ -154,6 +154,9 @@ void RunRecord::write_report(const std::string& failure) {
 }
 
 RunSummary RunRecord::finish() {
+  if (steps_.fluid() != nullptr)
+    for (const ModuleCost& module : steps_.fluid()->costs())
+      summary_.unconverged += module.unconverged;
   summary_.audit = audit(surface());
   report_["audit"] = to_json(summary_.audit);
   write_report();

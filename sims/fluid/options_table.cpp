@@ -79,60 +79,6 @@ const OptionTable<F> kSurfaceTension("fluid.surface_tension",
                                         .required = true,
                                         .source = "Wojtan and Turk 2008"}}});
 
-using E = ElasticOptions;
-const OptionTable<E> kViscoelasticity(
-    "fluid.viscoelasticity",
-    {{"modulus",
-      &E::modulus,
-      {.meaning = "shear modulus: stress is twice this times the elastic strain",
-       .unit = unit::pressure,
-       .range = Range::at_least(0),
-       .required = true,
-       .source = "Goktekin et al. 2004"}},
-     {"yield_strain",
-      &E::yield_strain,
-      {.meaning = "size of the deviatoric elastic strain beyond which the liquid flows",
-       .range = Range::above(0).or_infinite(),
-       .source = "Goktekin et al. 2004"}},
-     {"flow_rate",
-      &E::flow_rate,
-      {.meaning = "rate at which strain beyond the yield strain decays; inf: at once",
-       .unit = unit::rate,
-       .range = Range::at_least(0).or_infinite(),
-       .source = "Goktekin et al. 2004"}},
-     {"relaxation_time",
-      &E::relaxation_time,
-      {.meaning = "time in which strain decays to 1/e; inf: it does not",
-       .unit = unit::time,
-       .range = Range::above(0).or_infinite()}},
-     {"no_slip",
-      &E::no_slip,
-      {.meaning = kNoSlip.meaning, .otherwise = "that of [fluid.viscosity], or true"}}});
-
-using V = VolumeControlOptions;
-const OptionTable<V> kVolumeControl(
-    "fluid.volume_control",
-    {{"relaxation",
-      &V::relaxation,
-      {.meaning = "steps in which an error of volume falls to 1/e",
-       .unit = unit::steps,
-       .range = Range::above(2),
-       .source = "Kim et al. 2007"}},
-     {"damping",
-      &V::damping,
-      {.meaning = "damping of the loop with its integral part",
-       .range = Range::above(0),
-       .source = "Kim et al. 2007"}},
-     {"most_shift",
-      &V::most_shift,
-      {.meaning = "the most that control moves a body's surface in a step",
-       .unit = unit::cells,
-       .range = Range{0, 1, true}}},
-     {"most_integral",
-      &V::most_integral,
-      {.meaning = "the relative error that the integral part counts as at most",
-       .range = Range::between(0, 1)}}});
-
 using S = SolidOptions;
 const OptionTable<S> kSolid("solids", {{"kind",
                                         {&S::kind, kSolids},
@@ -169,19 +115,35 @@ const OptionTable<M> kSolidMotion(
 const OptionTable<F>& fluid_options() { return kFluid; }
 const OptionTable<F>& viscosity_options() { return kViscosity; }
 const OptionTable<F>& surface_tension_options() { return kSurfaceTension; }
-const OptionTable<E>& viscoelasticity_options() { return kViscoelasticity; }
-const OptionTable<V>& volume_control_options() { return kVolumeControl; }
 const OptionTable<S>& solid_options() { return kSolid; }
 const OptionTable<S>& box_solid_options() { return kBoxSolid; }
 const OptionTable<S>& ball_solid_options() { return kBallSolid; }
 const OptionTable<M>& solid_motion_options() { return kSolidMotion; }
 
+const std::vector<EffectTable>& effect_tables() {
+  static const std::vector<EffectTable> tables{
+      {"viscosity", "The liquid is viscous.", infos(kViscosity),
+       [](Keys& keys, F& o) { read(keys, kViscosity, o); }},
+      {"viscoelasticity", "The liquid is elastic.", infos(viscoelasticity_options()),
+       [](Keys& keys, F& o) {
+         o.viscoelasticity.emplace().no_slip = o.no_slip;  // viscosity's, unless it has its own
+         read(keys, viscoelasticity_options(), *o.viscoelasticity);
+       }},
+      {"surface_tension", "The liquid has surface tension.", infos(kSurfaceTension),
+       [](Keys& keys, F& o) { read(keys, kSurfaceTension, o); }},
+      {"volume_control", "Lost volume of the liquid comes back.", infos(volume_control_options()),
+       [](Keys& keys, F& o) { read(keys, volume_control_options(), o.volume_control.emplace()); }}};
+  return tables;
+}
+
 void check(const FluidOptions& options) {
   check(options, kFluid, "fluid: ");
   check(options, kViscosity, "fluid: ");
   check(options, kSurfaceTension, "fluid: ");
-  if (options.viscoelasticity) check(*options.viscoelasticity, kViscoelasticity, "fluid: ");
-  if (options.volume_control) check(*options.volume_control, kVolumeControl, "volume control: ");
+  if (options.viscoelasticity)
+    check(*options.viscoelasticity, viscoelasticity_options(), "fluid: ");
+  if (options.volume_control)
+    check(*options.volume_control, volume_control_options(), "volume control: ");
 }
 
 }  // namespace suture::sims

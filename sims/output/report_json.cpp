@@ -138,10 +138,15 @@ json to_json(const TrackerCost& cost) {
 
 json to_json(const FluidFrame& frame) {
   const FluidStep& step = frame.worst;
-  return {{"steps", frame.steps},      {"dt", step.dt},
-          {"cfl", step.cfl},           {"cells", step.cells},
-          {"liquid", step.liquid},     {"drops", step.drops},
-          {"residual", step.residual}, {"tension_share", step.tension_share}};
+  return {{"steps", frame.steps},
+          {"dt", step.dt},
+          {"cfl", step.cfl},
+          {"cells", step.cells},
+          {"liquid", step.liquid},
+          {"drops", step.drops},
+          {"residual", step.residual},
+          {"tension_share", step.tension_share},
+          {"unconverged", step.unconverged}};
 }
 
 json to_json(const std::vector<ModuleCost>& costs) {

@@ -32,27 +32,16 @@ SolidOptions read_solid(TomlTable& solid, const std::filesystem::path& folder,
 }
 
 /// An effect is there if its table is.
-template <class Read>
-void read_effect(TomlTable& fluid, const std::string& name, Read read) {
-  const auto at = fluid.tables.find(name);
-  if (at == fluid.tables.end()) return;
-  at->second.allow_tables({});
-  read(at->second.keys);
-  at->second.keys.done();
-}
-
-void read_effects(TomlTable& fluid, FluidOptions& o) {
-  fluid.allow_tables({"viscosity", "viscoelasticity", "surface_tension", "volume_control"});
-  read_effect(fluid, "viscosity", [&](Keys& keys) { read(keys, viscosity_options(), o); });
-  read_effect(fluid, "viscoelasticity", [&](Keys& keys) {
-    o.viscoelasticity.emplace().no_slip = o.no_slip;  // viscosity's, unless it has its own
-    read(keys, viscoelasticity_options(), *o.viscoelasticity);
-  });
-  read_effect(fluid, "surface_tension",
-              [&](Keys& keys) { read(keys, surface_tension_options(), o); });
-  read_effect(fluid, "volume_control", [&](Keys& keys) {
-    read(keys, volume_control_options(), o.volume_control.emplace());
-  });
+void read_effects(TomlTable& fluid, FluidOptions& options) {
+  std::vector<std::string> names;
+  for (const EffectTable& effect : effect_tables()) names.push_back(effect.name);
+  fluid.allow_tables(names);
+  for (const EffectTable& effect : effect_tables())
+    if (const auto at = fluid.tables.find(effect.name); at != fluid.tables.end()) {
+      at->second.allow_tables({});
+      effect.read(at->second.keys, options);
+      at->second.keys.done();
+    }
 }
 
 }  // namespace

@@ -54,13 +54,8 @@ void add_methods(Sections& all) {
 void add_fluid(Sections& all) {
   all.push_back(
       {"fluid", "A liquid that moves the surface, in place of a motion.", infos(fluid_options())});
-  all.push_back({"fluid.viscosity", "The liquid is viscous.", infos(viscosity_options())});
-  all.push_back(
-      {"fluid.viscoelasticity", "The liquid is elastic.", infos(viscoelasticity_options())});
-  all.push_back({"fluid.surface_tension", "The liquid has surface tension.",
-                 infos(surface_tension_options())});
-  all.push_back({"fluid.volume_control", "Lost volume of the liquid comes back.",
-                 infos(volume_control_options())});
+  for (const EffectTable& effect : effect_tables())
+    all.push_back({"fluid." + effect.name, effect.meaning, effect.options});
   all.push_back(
       {"solids", "A solid in the liquid; a list, given as [[solids]].", infos(solid_options())});
   all.push_back({"solids", "With kind = \"container\" or \"box\".", infos(box_solid_options())});

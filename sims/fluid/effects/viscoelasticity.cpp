@@ -13,24 +13,10 @@ void check(const ElasticOptions& o, double dt) {
   const auto refuse = [](const char* what, double x) {
     throw InvalidInput(std::string("elasticity: ") + what + ", not " + number(x));
   };
-  if (!(o.modulus >= 0) || !std::isfinite(o.modulus))
-    refuse("modulus must be finite and at least 0", o.modulus);
+  check(o, viscoelasticity_options(), "elasticity: ");
   if (!(o.density > 0) || !std::isfinite(o.density))
     refuse("density must be finite and above 0", o.density);
-  if (!(o.yield_strain > 0)) refuse("yield_strain must be above 0", o.yield_strain);
-  if (!(o.flow_rate >= 0)) refuse("flow_rate must be at least 0", o.flow_rate);
-  if (!(o.relaxation_time > 0)) refuse("relaxation_time must be above 0", o.relaxation_time);
   if (!(dt >= 0) || !std::isfinite(dt)) refuse("a step must be finite and at least 0", dt);
-}
-
-/// Checks a scene's options.
-void check(const ElasticOptions& o) {
-  const auto refuse = [](const char* what) { throw InvalidInput(std::string("fluid: ") + what); };
-  if (!(o.modulus >= 0) || !std::isfinite(o.modulus))
-    refuse("modulus must be finite and at least 0");
-  if (!(o.yield_strain > 0) || !(o.relaxation_time > 0))
-    refuse("yield_strain and relaxation_time must be above 0");
-  if (!(o.flow_rate >= 0)) refuse("flow_rate must be at least 0");
 }
 
 /// strain after = kept·(strain before) + time·(strain rate): a rate that is constant over the step,
@@ -345,7 +331,7 @@ double elastic_energy(const Strain& strain, const FlowDomain& domain,
 std::unique_ptr<Effect> make_viscoelasticity(const ElasticOptions& options,
                                              const SolverOptions& solver,
                                              const ModuleAccount& account) {
-  check(options);
+  check(options, viscoelasticity_options(), "fluid: ");
   return std::make_unique<Viscoelasticity>(options, solver, account);
 }
 

@@ -4,6 +4,7 @@
 #include <limits>
 #include <memory>
 
+#include "kernel/option_table.h"
 #include "sims/fluid/effects/stress/strain.h"
 #include "sims/fluid/effects/viscosity.h"
 
@@ -23,6 +24,9 @@ struct ElasticOptions {
 
   WallSlip slip() const { return no_slip ? WallSlip::none : WallSlip::free; }
 };
+
+/// [fluid.viscoelasticity]; the density is the liquid's.
+const OptionTable<ElasticOptions>& viscoelasticity_options();
 
 /// Steps beyond the time in which a wave of shear crosses a cell do not resolve it, and damp what
 /// they do not resolve; no step is unstable. Infinite where modulus is 0.

@@ -12,17 +12,6 @@
 namespace suture::sims {
 namespace {
 
-/// An option's name and value.
-struct Named {
-  const char* name;
-  double value;
-};
-
-[[noreturn]] void refuse(const Named& option, const char* range) {
-  throw InvalidInput(std::string("volume control: ") + option.name + " is " + number(option.value) +
-                     "; it must be " + range);
-}
-
 /// The gain of the integral part beside the other one.
 double gain(const VolumeControlOptions& options) {
   return 1 / (4 * options.damping * options.damping);
@@ -125,19 +114,9 @@ class VolumeControlEffect final : public Effect {
 
 }  // namespace
 
-void check(const VolumeControlOptions& o) {
-  if (!(o.relaxation > 2) || !std::isfinite(o.relaxation))
-    refuse({"relaxation", o.relaxation}, "above 2 steps");
-  if (!(o.damping > 0)) refuse({"damping", o.damping}, "above 0");
-  if (!(o.most_shift > 0 && o.most_shift <= 1))
-    refuse({"most_shift", o.most_shift}, "above 0 and at most 1 cell");
-  if (!(o.most_integral >= 0 && o.most_integral <= 1))
-    refuse({"most_integral", o.most_integral}, "0 to 1");
-}
-
 VolumeControl::VolumeControl(const Triangles& surface, const VolumeControlOptions& options)
     : options_(options), parts_(liquid_bodies(surface)) {
-  check(options);
+  check(options, volume_control_options(), "volume control: ");
   const BodyMeasures now = measure(surface, parts_);
   for (std::size_t b = 0; b < parts_.count; ++b)
     bodies_.push_back({now.volume[b], now.volume[b], now.area[b], 0});
@@ -213,7 +192,7 @@ std::size_t VolumeControl::memory() const {
 
 std::unique_ptr<Effect> make_volume_control(const VolumeControlOptions& options,
                                             const ModuleAccount& account) {
-  check(options);
+  check(options, volume_control_options(), "volume control: ");
   return std::make_unique<VolumeControlEffect>(options, account);
 }
 

@@ -4,6 +4,7 @@
 #include <memory>
 #include <vector>
 
+#include "kernel/option_table.h"
 #include "sims/fluid/effects/effect.h"
 #include "sims/fluid/liquid/liquid_bodies.h"
 
@@ -24,8 +25,8 @@ struct VolumeControlOptions {
   double most_integral = 0.02;
 };
 
-/// \throw InvalidInput if an option is out of its range
-void check(const VolumeControlOptions& options);
+/// [fluid.volume_control].
+const OptionTable<VolumeControlOptions>& volume_control_options();
 
 /// Knows the volume that each body should have, and hands it on when bodies merge and split: call
 /// before_remodel and after_remodel round all that changes triangles, and moved after each

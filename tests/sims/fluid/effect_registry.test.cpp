@@ -7,6 +7,7 @@
 
 #include "kernel/errors.h"
 #include "sims/fluid/fluid.h"
+#include "sims/fluid/options_table.h"
 #include "tests/sims/fluid/watched.h"
 
 using namespace suture;
@@ -34,6 +35,14 @@ TEST_CASE("an effect is made where the scene names it, and nowhere else") {
   one.surface_tension = 0.07;
   REQUIRE(make_effects(one, costs).size() == 1);
   CHECK(std::isfinite(make_effects(one, costs)[0]->longest_step()));
+}
+
+TEST_CASE("every effect has a table in scenes, by the same name and in the same order") {
+  REQUIRE(effect_tables().size() == effect_makers().size());
+  for (std::size_t i = 0; i < effect_makers().size(); ++i) {
+    CHECK(effect_tables()[i].name == effect_makers()[i].name);
+    CHECK_FALSE(effect_tables()[i].options.empty());
+  }
 }
 
 TEST_CASE("each effect counts its costs under the name of its table") {
