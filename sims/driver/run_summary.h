@@ -14,9 +14,9 @@ struct RunSummary {
   std::size_t remodels = 0, committed = 0, refused = 0, merges = 0, splits = 0;
   std::size_t meshes = 0, pictures = 0;
   std::size_t unconverged = 0;  ///< linear solves of the fluid whose last iterate was used
-  std::string reproducer;  ///< of the first surgery that was refused
-  std::string failure;     ///< why it was
-  Audit audit;             ///< of the last surface
+  std::string reproducer;       ///< of the first surgery that was refused
+  std::string failure;          ///< why it was
+  Audit audit;                  ///< of the last surface
 };
 
 }  // namespace suture::sims
