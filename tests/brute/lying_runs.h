@@ -15,7 +15,6 @@
 namespace suture {
 
 using namespace suture::surgery;
-using namespace suture::sims;
 
 inline constexpr std::array<double, 8> kLies = {1e-4, 1e-3, 0.01, 0.03, 0.1, 0.3, 0.6, 1};
 

@@ -13,7 +13,6 @@
 
 using namespace suture;
 using namespace suture::surgery;
-using namespace suture::sims;
 
 TEST_CASE("under an oracle that lies, a remodel refuses or commits a closed manifold, never junk") {
   std::map<double, LyingRun> sum;

@@ -174,7 +174,9 @@ double VolumeControl::rate(Body& body, double h, double dt) const {
 
 std::vector<double> VolumeControl::divergence(const NearestTriangle& nearest, const Liquid& liquid,
                                               double dt) {
-  if (!(dt > 0) || !std::isfinite(dt)) refuse({"the time step", dt}, "finite and above 0");
+  if (!(dt > 0) || !std::isfinite(dt))
+    throw InvalidInput("volume control: the time step is " + number(dt) +
+                       "; it must be finite and above 0");
   std::vector<double> rates;
   for (Body& body : bodies_) rates.push_back(rate(body, liquid.grid->h(), dt));
   const std::vector<std::uint32_t> of_cell = bodies_of_cells(parts_, nearest, liquid);

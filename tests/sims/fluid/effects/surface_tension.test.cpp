@@ -23,14 +23,14 @@ Jump jump_of(const LiquidScene& scene, double tension, double h = 1) {
       scene.liquid, tension);
 }
 
-struct Range {
+struct JumpRange {
   double low = 1e300, high = -1e300;
   int faces = 0;
 };
 
 /// Of the jumps at faces that the surface crosses. Elsewhere they have to be 0.
-Range range(const LiquidScene& scene, const Jump& jump) {
-  Range r;
+JumpRange range(const LiquidScene& scene, const Jump& jump) {
+  JumpRange r;
   for (int a = 0; a < 3; ++a)
     for (Slot s = 0; s < scene.grid.size(); ++s) {
       const Slot below = scene.grid.neighbour(s, a, -1);
@@ -113,7 +113,7 @@ TEST_CASE("the jump at a drop's faces is 2 tension / radius, and leaves it at re
         Case{remodelled(r, 0.7), 5e-4, 2e-4}}) {
     const LiquidScene scene(c.surface, 1);
     const Jump jump = jump_of(scene, tension);
-    const Range found = range(scene, jump);
+    const JumpRange found = range(scene, jump);
     const double exact = 2 * tension / r, velocity = set_going(scene, jump) / exact;
     CAPTURE(found.low / exact - 1, found.high / exact - 1, velocity);
     CHECK(found.faces > 600);
@@ -148,7 +148,7 @@ TEST_CASE("a drop of one cell has a bounded jump, and hardly moves") {
     for (const Point& off : {Point(0, 0, 0), Point(0.1, 0.05, -0.15)}) {
       const LiquidScene scene(translated(sphere({Point::Constant(0.5), r, 0.2}), off), 1);
       const Jump jump = jump_of(scene, 1);
-      const Range found = range(scene, jump);
+      const JumpRange found = range(scene, jump);
       CAPTURE(r, found.faces, found.low, found.high, 2 / r);
       if (found.faces == 0) continue;  // it holds no centre: the surface makes no face's jump
       CHECK(found.high <= 4);
@@ -166,7 +166,7 @@ TEST_CASE("slivers and triangles without area leave the jump finite and near wha
     s.positions[t[0]] += part * (s.positions[t[1]] - s.positions[t[0]]);
   }
   const LiquidScene scene(s, 1);
-  const Range found = range(scene, jump_of(scene, 1));
+  const JumpRange found = range(scene, jump_of(scene, 1));
   CAPTURE(found.low, found.high);
   CHECK(found.low > 0);
   CHECK(found.high < 0.4);  // 1/3 where the ball is whole; measured 0.346
