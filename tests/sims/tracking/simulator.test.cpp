@@ -49,7 +49,7 @@ std::string between(const std::string& text, const std::string& from, const std:
 TEST_CASE("the page on simulators shows the example that this test compiles, word for word") {
   const std::string page = contents_of("/sims/tracking/README.md");
   const std::string shown = between(page, "```cpp\n", "```");
-  const std::string own = between(contents_of("/tests/sims/driver/simulator.test.cpp"),
+  const std::string own = between(contents_of("/tests/sims/tracking/simulator.test.cpp"),
                                   "shows these lines\n", "// ---");
   CHECK(own.size() > 300);
   CHECK(shown == own);

@@ -27,15 +27,18 @@ TEST_CASE("a wall on a plane of the grid closes what is on it and nothing else, 
     const SparseGrid grid = cube_of_cells(16, h, origin);
     const auto plane = [&](int i) -> Point { return origin + h * Point(i, i, i); };
     const SolidFaces faces = faces_of(only(Solid::container({plane(3), plane(12)})), grid, 0);
+    int left_open = 0;
     for (Slot s = 0; s < grid.size(); ++s)
       for (int a = 0; a < 3; ++a) {
         const Index3 c = grid.cell(s);
         bool open = true;
         for (int b = 0; b < 3; ++b)
           open = open && (b == a ? c[b] > 3 && c[b] < 12 : c[b] >= 3 && c[b] < 12);
+        left_open += open ? 1 : 0;
         if (std::abs(faces.open[a][s] - (open ? 1 : 0)) > 1e-12)
           FAIL("face " << a << " of cell " << c[0] << " " << c[1] << " " << c[2]);
       }
+    CHECK(left_open == 3 * 8 * 9 * 9);
   }
 }
 
