@@ -5,6 +5,7 @@
 
 #include "sims/fluid/effects/surface_tension.h"
 #include "sims/fluid/effects/viscosity.h"
+#include "sims/fluid/options_table.h"
 
 namespace suture::sims {
 namespace {
@@ -47,6 +48,7 @@ const std::array<EffectMaker, 4>& effect_makers() {
 }
 
 std::vector<std::unique_ptr<Effect>> make_effects(const FluidOptions& options, ModuleCosts& costs) {
+  check(options);
   std::vector<std::unique_ptr<Effect>> effects;
   for (const EffectMaker& maker : effect_makers())
     if (Made effect = maker.make(options, {costs, maker.name}))

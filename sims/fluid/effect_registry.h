@@ -21,7 +21,8 @@ struct EffectMaker {
 /// options a place in FluidOptions, and add a line here.
 const std::array<EffectMaker, 4>& effect_makers();
 
-/// The effects that the scene names. They refer to `costs`. \throw InvalidInput as their makers
+/// The effects that the scene names. They refer to `costs`. \throw InvalidInput unless all options
+/// are in the ranges of their tables
 std::vector<std::unique_ptr<Effect>> make_effects(const FluidOptions& options, ModuleCosts& costs);
 
 }  // namespace suture::sims

@@ -108,8 +108,6 @@ Filtered<Point> ripple_velocity(const Triangles& surface, const TensionOptions& 
 
 std::unique_ptr<Effect> make_surface_tension(const TensionOptions& options,
                                              const ModuleAccount& account) {
-  if (!(options.tension >= 0) || !std::isfinite(options.tension))
-    throw InvalidInput("fluid: tension must be finite and at least 0");
   return std::make_unique<SurfaceTension>(options, account);
 }
 

@@ -56,7 +56,7 @@ inline constexpr double kRippleRate = 0.1;
 Filtered<Point> ripple_velocity(const Triangles& surface, const TensionOptions& options,
                                 CurvatureOptions curvature = {});
 
-/// \throw InvalidInput if the tension is not finite and at least 0
+/// \pre the options are in the ranges of their tables
 std::unique_ptr<Effect> make_surface_tension(const TensionOptions& options,
                                              const ModuleAccount& account);
 

@@ -331,7 +331,6 @@ double elastic_energy(const Strain& strain, const FlowDomain& domain,
 std::unique_ptr<Effect> make_viscoelasticity(const ElasticOptions& options,
                                              const SolverOptions& solver,
                                              const ModuleAccount& account) {
-  check(options, viscoelasticity_options(), "fluid: ");
   return std::make_unique<Viscoelasticity>(options, solver, account);
 }
 

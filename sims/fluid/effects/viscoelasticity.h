@@ -55,7 +55,7 @@ SolveReport stretch(Strain& strain, const MacVelocity& velocity, const FlowDomai
 double elastic_energy(const Strain& strain, const FlowDomain& domain,
                       const ElasticOptions& options);
 
-/// \throw InvalidInput for numbers out of range
+/// \pre the options are in the ranges of their table
 std::unique_ptr<Effect> make_viscoelasticity(const ElasticOptions& options,
                                              const SolverOptions& solver,
                                              const ModuleAccount& account);

@@ -60,8 +60,6 @@ DiffusionReport diffuse(MacVelocity& velocity, const FlowDomain& domain,
 
 std::unique_ptr<Effect> make_viscosity(const ViscosityOptions& options, const SolverOptions& solver,
                                        const ModuleAccount& account) {
-  if (!(options.viscosity >= 0) || !std::isfinite(options.viscosity))
-    throw InvalidInput("fluid: viscosity must be finite and at least 0");
   return std::make_unique<Viscosity>(options, solver, account);
 }
 

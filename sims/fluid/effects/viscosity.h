@@ -35,7 +35,7 @@ DiffusionReport diffuse(MacVelocity& velocity, const FlowDomain& domain,
 /// was, for a body of size L; a stiffer system would only lose the masses in rounding.
 inline constexpr double kStiffest = 1e12;
 
-/// \throw InvalidInput if the viscosity is not finite and at least 0
+/// \pre the options are in the ranges of their tables
 std::unique_ptr<Effect> make_viscosity(const ViscosityOptions& options, const SolverOptions& solver,
                                        const ModuleAccount& account);
 

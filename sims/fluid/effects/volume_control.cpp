@@ -194,7 +194,6 @@ std::size_t VolumeControl::memory() const {
 
 std::unique_ptr<Effect> make_volume_control(const VolumeControlOptions& options,
                                             const ModuleAccount& account) {
-  check(options, volume_control_options(), "volume control: ");
   return std::make_unique<VolumeControlEffect>(options, account);
 }
 

@@ -72,7 +72,7 @@ class VolumeControl {
   bool remodelling_ = false;
 };
 
-/// \throw InvalidInput if an option is out of its range
+/// \pre the options are in the ranges of their table
 std::unique_ptr<Effect> make_volume_control(const VolumeControlOptions& options,
                                             const ModuleAccount& account);
 
