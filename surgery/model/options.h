@@ -26,8 +26,8 @@ enum class Collapse {
 /// The place of the fill's own vertices along their lattice edge [§6.1 step 5].
 enum class Placement {
   /// The zero of D between its two nodes, as the paper does. D is the distance to any sheet: one
-  /// that is
-  /// about to be swallowed is often the nearest to an inside node, and draws the vertex inwards.
+  /// that is about to be swallowed is often the nearest to an inside node, and draws the vertex
+  /// inwards.
   distance_field,
   crossing  ///< the exact point where the mesh passes from outside to inside
 };
