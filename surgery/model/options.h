@@ -36,9 +36,9 @@ enum class Placement {
 enum class Subdivision {
   midpoint,  ///< flattens curved surfaces a little each time
   curved,    ///< on the cubic that the edge's end points and normals define
-  /// On a polynomial surface fitted to the two rings around the edge; and collapses leave vertices
-  /// where they are. So what the flow moved stays where the flow took it: for smooth surfaces, of
-  /// which the mesh's vertices are samples.
+  /// It is on a polynomial surface fitted to the two rings around the edge, and collapses leave
+  /// vertices where they are. So what the flow moved stays where the flow took it: for smooth
+  /// surfaces, of which the mesh's vertices are samples.
   fitted
 };
 
