@@ -69,7 +69,7 @@ int volume_sign(const Triangles& surface, const Component& part) {
   return exact_volume_sign(surface, part);
 }
 
-// For each component 1 if every edge of it is used once each way, else 0.
+// A component has 1 if every edge of it is used once each way, else 0.
 std::vector<std::uint8_t> closed_components(const Triangles& surface, const Components& parts) {
   const Corners corners(surface);
   std::vector<std::uint8_t> closed(parts.count, 1);

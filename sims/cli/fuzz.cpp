@@ -209,10 +209,10 @@ void add_campaign_options(CLI::App& command, Settings& s) {
 void add_fuzz(CLI::App& app, int& exit) {
   auto s = std::make_shared<Settings>();
   CLI::App* command = app.add_subcommand(
-      "fuzz", "Try to break the tracker: seeded cases, watched by oracles, failures minimised");
+      "fuzz", "Try to break the tracker: seeded cases, watched by checks, failures minimised");
   add_campaign_options(*command, *s);
   auto* other = command->add_option_group("instead of a campaign")->require_option(0, 1);
-  other->add_option("--replay", s->replay, "Run saved cases, by default under all oracles")
+  other->add_option("--replay", s->replay, "Run saved cases, by default under all checks")
       ->type_name("FILE");
   other->add_option("--show", s->show, "Print a seed's case, as it would be saved")
       ->type_name("SEED");
@@ -220,10 +220,9 @@ void add_fuzz(CLI::App& app, int& exit) {
       ->type_name("F.json");
   command->add_option("-o,--output", s->out, "File for --show or --merge")->type_name("FILE");
   command->footer(
-      "Exit codes: 0 no failure, 1 some oracle objected, crashed or hung, 2 bad input. Refusals "
-      "are "
+      "Exit codes: 0 no failure, 1 a check objected, a crash or a hang, 2 bad input. Refusals are "
       "failures unless the arithmetic is rounded, where they are only counted. papers/fuzz.md has "
-      "the oracles and the summary's fields.");
+      "the checks and the summary's fields.");
   command->callback([s, command, &exit] { exit = fuzz(*s, *command); });
 }
 

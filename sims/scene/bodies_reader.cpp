@@ -105,7 +105,7 @@ Source read_source(const PlacedOptions& o, TomlTable& body, const Surroundings& 
   return {from.sources.read_mesh(file), file.string()};
 }
 
-/// So that scenes can count on a model's place and size, whatever a scanner's unit was.
+/// Scenes can count on the place and size of a model so made, whatever a scanner's unit was.
 Triangles normalised(const Triangles& surface) {
   const Box box = bounding_box(surface.positions);
   const double longest = (box.high - box.low).maxCoeff();

@@ -26,8 +26,8 @@ enum class Collapse {
 /// The place of the fill's own vertices along their lattice edge [§6.1 step 5].
 enum class Placement {
   /// The zero of D between its two nodes, as the paper does. D is the distance to any sheet: one
-  /// that is
-  /// about to be swallowed is often the nearest to an inside node, and draws the vertex inwards.
+  /// that is about to be swallowed is often the nearest to an inside node, and draws the vertex
+  /// inwards.
   distance_field,
   crossing  ///< the exact point where the mesh passes from outside to inside
 };
@@ -36,9 +36,9 @@ enum class Placement {
 enum class Subdivision {
   midpoint,  ///< flattens curved surfaces a little each time
   curved,    ///< on the cubic that the edge's end points and normals define
-  /// On a polynomial surface fitted to the two rings around the edge; and collapses leave vertices
-  /// where they are. So what the flow moved stays where the flow took it: for smooth surfaces, of
-  /// which the mesh's vertices are samples.
+  /// It is on a polynomial surface fitted to the two rings around the edge, and collapses leave
+  /// vertices where they are. So what the flow moved stays where the flow took it: for smooth
+  /// surfaces, of which the mesh's vertices are samples.
   fitted
 };
 

@@ -22,7 +22,7 @@ struct Input {
   TrackerOptions options;
 };
 
-/// What one order did to some inputs, added up.
+/// The row adds up what one order did to some inputs.
 struct Row {
   std::size_t inputs = 0, committed = 0, refused = 0, type2 = 0, left = 0, bent = 0, restarts = 0,
               blocked = 0, delayed = 0, link = 0, normal = 0, node = 0, seeds = 0, grown = 0,

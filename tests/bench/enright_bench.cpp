@@ -120,7 +120,7 @@ void run(const Setting& setting) {
     fmt::print(stderr, "{}: {} cells re-sampled\n", setting.name, cells);
 }
 
-/// What the accuracy tables use at about 25,000 triangles; `fine` is × all lengths.
+/// The accuracy tables use this at about 25,000 triangles; `fine` multiplies all lengths.
 QualityOptions tuned(double fine = 1) {
   return {.edge_length = 0.026 * fine,
           .chord_error = 5e-5 * fine * fine,

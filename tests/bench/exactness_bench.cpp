@@ -74,7 +74,7 @@ Input aligned_boxes() {
           {.cell_size = 1.0 / 64}};
 }
 
-/// What a remodel left, which has vertices on the lattice, meeting another ball.
+/// A remodel's result, which has vertices on the lattice, meets another ball.
 Input fed_back() {
   const Triangles two = two_balls(40);
   const TrackerOptions options = cells_across(two, 64);

@@ -28,7 +28,7 @@ struct Options {
   std::string output;
 };
 
-/// Of one question, arithmetic and family.
+/// A row is of one question, arithmetic and family.
 struct Row {
   std::string question, arithmetic, family;
   std::uint64_t cases = 0, filter_failures = 0;
@@ -40,7 +40,7 @@ struct Row {
   bool promises_exactness = true, is_sign = true;
 };
 
-/// What one chunk adds to a table; the same rows in the same order for every chunk of a subject.
+/// One chunk adds these to a table: the same rows in the same order for every chunk of a subject.
 using Rows = std::vector<Row>;
 
 /// A question and a family: asked in chunks.

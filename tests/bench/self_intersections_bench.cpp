@@ -23,8 +23,8 @@ struct Case {
   std::vector<HostileCase> inputs;
 };
 
-/// What the pairs after a remodel are made of. A triangle counts as outside or in a cell of the
-/// region by where its centre is.
+/// The kinds of pairs after a remodel. A triangle counts as outside or in a cell of the region by
+/// where its centre is.
 struct Counts {
   std::size_t operated = 0, refused = 0, before = 0, after = 0;
   std::size_t touching = 0;   ///< not deeper than 2^-48 of the extent, or gone if both shrink

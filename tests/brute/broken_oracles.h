@@ -62,7 +62,7 @@ class NamedOrder final : public Oracle {
   std::unique_ptr<Oracle> inner_ = make_filtered_oracle();
 };
 
-/// What a floating-point filter believes its error to be: relative · (sum of absolute products) +
+/// A floating-point filter believes its error to be relative · (sum of absolute products) +
 /// absolute + by_height · (sum of the third factors).
 struct Bound {
   double relative, absolute, by_height;

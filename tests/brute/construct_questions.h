@@ -14,7 +14,7 @@
 
 namespace suture::brute {
 
-/// As rounding sees it: the infinities stand where the next doubles would be.
+/// The number as rounding sees it: the infinities stand where the next doubles would be.
 inline mpq_class exact(double x) {
   if (std::isfinite(x)) return mpq_class(x);
   const mpq_class beyond(mpz_class(1) << 1024);
@@ -85,7 +85,7 @@ inline mpq_class exact(const EdgeQuestion& e) {
   return (from * (q - plane) + to * (plane - p)) / (q - p);
 }
 
-/// By barycentric weights: a way that the code under test does not go.
+/// Uses barycentric weights, a way that the code under test does not go.
 inline mpq_class exact(const TriangleQuestion& question) {
   const auto& [a, b, c, through] = question.points;
   const int axis = question.axis;

@@ -26,7 +26,7 @@ struct LyingRun {
 
 namespace lying {
 
-/// What is wrong with a surface that should be a closed manifold, or empty.
+/// Says what is wrong with a surface that should be a closed manifold; empty: nothing is.
 inline std::string fault_of(const Surface& surface) {
   if (!(to_triangles(surface.mesh) == surface.triangles)) return "mesh and copy differ";
   if (surface.triangles.triangles.empty()) return {};
@@ -50,7 +50,8 @@ inline bool remodel_once(Surface& surface, const TrackerOptions& options, const 
   return run.fault.empty() && !surface.triangles.triangles.empty();
 }
 
-/// What Tracker::improve does before it would throw: whatever the oracle says, a closed manifold.
+/// Does what Tracker::improve does before it would throw. Whatever the oracle says, the result
+/// should be a closed manifold.
 inline bool improve_once(Surface& surface, const TrackerOptions& options, const Oracle& oracle,
                          LyingRun& run) {
   QualityOptions quality = options.quality;

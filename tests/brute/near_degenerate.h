@@ -19,7 +19,7 @@ class Draws : private suture::Random {
   /// 0 to n−1; the bias is below n / 2^64.
   int below(int n) { return static_cast<int>(bits() % static_cast<std::uint64_t>(n)); }
   int between(int low, int high) { return low + below(high - low + 1); }
-  /// In [−1, 1), a multiple of 2^-52.
+  /// A multiple of 2^-52 in [−1, 1).
   double real() { return static_cast<double>(bits() >> 11) * 0x1p-52 - 1; }
   Point point() {
     const double x = real(), y = real(), z = real();

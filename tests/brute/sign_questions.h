@@ -48,7 +48,7 @@ inline int ask(const Oracle& oracle, const SignQuestion& question) {
   return oracle.orientation(p[0], p[1], p[2], p[3]);
 }
 
-/// To the last bit, and such that C++ reads it back.
+/// Writes x to the last bit, and such that C++ reads it back.
 inline std::string show(double x) {
   char text[40];
   std::snprintf(text, sizeof text, "%a ", x);

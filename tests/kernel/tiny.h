@@ -68,7 +68,7 @@ inline Triangles soup(const Triangles& s) {
 class Dice : public Random {
  public:
   using Random::Random;
-  /// In [-1, 1).
+  /// A number in [-1, 1).
   double signed_unit() { return static_cast<double>(next() >> 11) * 0x1p-52 - 1; }
 };
 

@@ -27,7 +27,7 @@ MarkerRules rules_of(const ParticleLevelSetOptions& o) {
           o.largest_radius,     o.escape, o.attraction_steps};
 }
 
-/// Beyond the particles: the normal at a particle takes a cell, interpolation one more.
+/// Cells of band beyond the particles: the normal at one takes a cell, interpolation one more.
 constexpr double kBeyondBand = 2;
 
 class ParticleLevelSet : public SurfaceTracker {

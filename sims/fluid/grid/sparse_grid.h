@@ -43,9 +43,6 @@ class SparseGrid {
   Slot size() const { return blocks_.size() * kCells; }  ///< slots
   /// The lowest cell of each block. Block b has the slots from b·kCells on, x slowest.
   const std::vector<Index3>& blocks() const { return blocks_; }
-  bool same_cells(const SparseGrid& other) const {
-    return h_ == other.h_ && origin_ == other.origin_ && blocks_ == other.blocks_;
-  }
 
   Slot find(const Index3& cell) const {  ///< kNoSlot if it does not exist
     const std::uint32_t n = block({block_of(cell[0]), block_of(cell[1]), block_of(cell[2])});

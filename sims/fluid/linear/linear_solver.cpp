@@ -20,7 +20,7 @@ constexpr std::size_t kCellsPerRow = 4;
 
 /// So many iterations with diagonal scaling cost what AMG does in all, for matrices of diffusion.
 constexpr int kDiagonalIterations = 140;
-/// After so many it is seen whether they will do.
+/// It is seen after so many whether they will do.
 constexpr int kTrial = 40;
 
 /// The residual that conjugate gradients carry along may say less than the true one, by rounding.

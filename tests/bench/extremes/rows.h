@@ -26,7 +26,7 @@ struct Row {
   std::function<Result()> run;
 };
 
-/// What is done to a surface.
+/// The calls that are made on a surface.
 struct Task {
   bool remodel = true, improve = false;
 };

@@ -17,7 +17,7 @@ namespace {
 
 using Line = std::vector<std::pair<double, double>>;  // times and values
 
-/// Of the experiment: Z, the front, at T, or H, the height at the wall, at τ.
+/// The experiment's Z, the front, at T, or its H, the height at the wall, at τ.
 Line experiment(int n2, char quantity) {
   std::ifstream file(source_dir() + "/papers/fluid/martin_moyce.csv");
   Line points;
@@ -48,7 +48,7 @@ struct Fallen {
   double volume = 0;         ///< at the end, over that at first
 };
 
-/// To the time `end`.
+/// Lets the column fall until the time `end`.
 Fallen collapse(int n2, int cells, int deep, double end,
                 const std::function<void(FluidOptions&)>& change) {
   const double h = 1.0 / cells, frame = 0.05 / std::sqrt(n2);
@@ -80,10 +80,10 @@ void nothing(FluidOptions&) {}
 /// Three cells deep: where all slips that is as good as any depth.
 constexpr int kThinTank = 3;
 
-/// Of τ; what is left at the wall later is thinner than two cells of the coarsest grid.
+/// The last τ; what is left at the wall later is thinner than two cells of the coarsest grid.
 constexpr double kEnd = 4.3;
 
-/// By the times of martin_moyce.csv: T is n times τ.
+/// The times are those of martin_moyce.csv: T is n times τ.
 void dam(Rows& rows, int n2, int cells) {
   const double n = std::sqrt(n2);
   const Line heights = experiment(n2, 'H'), fronts = experiment(n2, 'Z');
@@ -125,8 +125,8 @@ void falls(Rows& rows) {
     }
 }
 
-/// What may make the front run ahead of the experiment's, one at a time. Lengths are in widths of
-/// 2.25 inches and g = 1: water's viscosity is 2.3e-5 and its tension 2.3e-3.
+/// Tries one at a time what may make the front run ahead of the experiment's. Lengths are in widths
+/// of 2.25 inches and g = 1: water's viscosity is 2.3e-5 and its tension 2.3e-3.
 void dam_causes(Rows& rows) {
   constexpr int kCells = 16;
   struct Cause {

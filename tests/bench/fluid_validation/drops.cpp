@@ -34,8 +34,8 @@ Triangles bent(double radius, double edge) {
   return translated(start, kDropCentre);
 }
 
-/// To its first or its second zero: four times the one, and twice what is between them; and what
-/// is left of its amplitude where it turns.
+/// The period is four times the way to the first zero, and twice what is between the first and the
+/// second. A further row has what is left of the amplitude where the drop turns.
 void swing(Rows& rows, double radius, double edge, std::size_t most_zeros) {
   const Triangles start = bent(radius, edge);
   Run run(start, edge, drop_options(), at_rest, kMarkers);

@@ -17,7 +17,7 @@ double twist_of(const Run& run, double size) {
   return twisted(run.fluid, size, kMiddle, Point::Zero()).first;
 }
 
-/// From its second zero to its first, and what is left of the velocity where it turns.
+/// The period is twice what is between two zeros; another row has what is left at the turn.
 void swing(Rows& rows, const std::string& what, int cells, double modulus) {
   FluidOptions options;
   options.viscoelasticity = ElasticOptions{.modulus = modulus};

@@ -16,7 +16,7 @@ int steps_of(int cells, int a_cell) {
   return static_cast<int>(std::lround(a_cell * cells / std::numbers::pi));
 }
 
-/// Without viscosity, for a time of 1; half a cell a step.
+/// The vortex runs without viscosity for a time of 1, half a cell a step.
 void steady(Rows& rows, int cells) {
   rows.restart();
   Vortex v(cells, 1, {});

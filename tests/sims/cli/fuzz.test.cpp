@@ -76,7 +76,7 @@ TEST_CASE("fuzz shows a seed's case, which replays") {
   CHECK(replayed.text.find("passes") != std::string::npos);
 }
 
-TEST_CASE("fuzz says which oracle a replayed case fails, and why, with exit code 1") {
+TEST_CASE("fuzz says which check a replayed case fails, and why, with exit code 1") {
   const Folder folder;
   suture_program("fuzz --show " + slow_seed() + " -o " + folder.name("case.toml"));
   const Said said = suture_program("fuzz --case-seconds 1e-9 --replay " + folder.name("case.toml"));

@@ -80,7 +80,7 @@ struct Moves : Simulator, StepWatcher {
   std::vector<double> dts;
 };
 
-/// What is called in so many frames of length 1, the last of them called so.
+/// The calls that so many frames of length 1 make; the last of them is called so.
 std::string calls(const Schedule& schedule, int frames, bool mesh = true) {
   std::string log;
   Told tracker(log, mesh);

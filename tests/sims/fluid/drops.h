@@ -29,7 +29,7 @@ inline Triangles shuffled(Triangles ball, double radius, double most) {
   return onto_ball(std::move(ball), radius);
 }
 
-/// What a surgery on all of a drop's surface makes of it, with its vertices put back onto the ball.
+/// A drop after surgery on all of its surface, with its vertices put back onto the ball.
 inline Triangles remodelled(double radius, double edge) {
   const Triangles ball = drop(radius, edge);
   const Triangles turned = translated(rotated(translated(ball, -kDropCentre), {1, 2, 3}, 0.3),

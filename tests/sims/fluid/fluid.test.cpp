@@ -29,7 +29,7 @@ std::unique_ptr<SurfaceTracker> markers(const Triangles& surface, double cell) {
   return make_mesh_tracker(surface, options);
 }
 
-/// For a driver that remodels and improves it.
+/// A mesh for a driver that remodels and improves it.
 std::unique_ptr<SurfaceTracker> tracked(const Triangles& surface, double cell) {
   TrackerOptions options;
   options.cell_size = cell;

@@ -75,7 +75,7 @@ void tells_of_nothing(const Fluid& fluid) {
   CHECK(fluid.steps_in(1e6) == 1);
 }
 
-/// Of the surface, in cells.
+/// How deep the surface reaches into solids, in cells.
 double deepest_in_solid(const Watched& w, const FluidOptions& o) {
   double deepest = 0;
   Solids solids;

@@ -79,7 +79,7 @@ struct LiquidScene {
         if (touches(a, s) && faces.open_at(a, s) > 0) most = std::max(most, std::abs(v.u[a][s]));
     return most;
   }
-  /// What flows out of a cell, over h².
+  /// The flow out of a cell, over h².
   double outflow(const MacVelocity& v, Slot s) const {
     double sum = 0;
     for (int a = 0; a < 3; ++a)

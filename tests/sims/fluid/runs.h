@@ -78,7 +78,7 @@ inline FluidOptions drop_options() {
   return options;
 }
 
-/// Of the second mode [Lamb 1932, §275].
+/// The period of the second mode [Lamb 1932, §275].
 inline double drop_period(double radius) {
   return 2 * std::numbers::pi * std::sqrt(radius * radius * radius / 8);
 }
@@ -259,7 +259,7 @@ struct PressedColumn {
       : width(wide), bend(bent), run(started(cell, wide, bent)) {}
 
   double height() const { return 1 - kSpeed * run.fluid.time(); }
-  /// Of the middle's slice, a cell or two high.
+  /// How far the middle's slice, a cell or two high, is aside.
   double aside() {
     double least = 1, most = -1;
     for (const Point& p : run.points()) {
@@ -269,7 +269,7 @@ struct PressedColumn {
     }
     return (least + most) / 2;
   }
-  /// What Euler's column between clamps makes of bend, where viscosity stands for elasticity and
+  /// The growth of bend in Euler's column between clamps, where viscosity stands for elasticity and
   /// shortening for time: d(ln aside) is 12/(2π)²·(height/width)² of d(ln height).
   double slender() const {
     const double per = 3 / (std::numbers::pi * std::numbers::pi * width * width);

@@ -27,7 +27,7 @@ inline SolidOptions solid(SolidKind kind, const Point& low, const Point& high,
   return s;
 }
 
-/// In a tank of 1 × 1 × 0.5.
+/// The fluid's options, in a tank of 1 × 1 × 0.5.
 inline FluidOptions tank() {
   FluidOptions o;
   o.cell_size = kTankCell;

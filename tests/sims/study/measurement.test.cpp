@@ -17,7 +17,7 @@ const char* const kTurning =
     "[tracker]\ncell_size = 0.2\n[quality]\nedge_length = 0.12\n"
     "[time]\nstep = 0.05\nend = 1\n[measure]\nat = [0.5, 1]\ndomain = 4\ntolerance = 0.01\n";
 
-/// As they were published.
+/// The columns as they were published.
 const char* const kColumns =
     "run,scene,method,resolution,cell_size,edge_length,time_step,topology_interval,"
     "improve_interval,start_triangles,changes,command,time,outcome,failure,steps,seconds,"

@@ -38,7 +38,7 @@ std::string contents_of(const std::string& path) {
   return all.str();
 }
 
-/// What is between the first `from` and the `to` after it.
+/// The text between the first `from` and the `to` after it.
 std::string between(const std::string& text, const std::string& from, const std::string& to) {
   const std::size_t start = text.find(from) + from.size();
   return text.substr(start, text.find(to, start) - start);

@@ -28,7 +28,7 @@ struct JumpRange {
   int faces = 0;
 };
 
-/// Of the jumps at faces that the surface crosses. Elsewhere they have to be 0.
+/// The range of the jumps at faces that the surface crosses. Elsewhere they have to be 0.
 JumpRange range(const LiquidScene& scene, const Jump& jump) {
   JumpRange r;
   for (int a = 0; a < 3; ++a)

@@ -15,7 +15,7 @@ namespace {
 const Point kMiddle{0.013, 0.027, -0.017};  // nowhere special on the grid
 constexpr double kRadius = 0.93;
 
-/// What of the faces that touch liquid cells is liquid: elastic stress moves these.
+/// The liquid part of the faces that touch liquid cells: elastic stress moves these.
 VolumeFractions touched(const Liquid& liquid) {
   VolumeFractions fractions = volume_fractions(liquid);
   for (int a = 0; a < 3; ++a)
@@ -74,7 +74,7 @@ struct Swing {
   double frequency = 0, second_swing = 0;  ///< angular; the largest part of the mode in it
 };
 
-/// Of the part of the velocity that is as it was first: by its first five zeros.
+/// Judges the part of the velocity that is as it was first, by its first five zeros.
 Swing swing(Body body) {
   const MacVelocity mode = body.v;
   const VolumeFractions fractions = touched(body.blob.liquid);

@@ -17,7 +17,7 @@ Triangles body(const Point& centre, double radius, double edge = 0.1) {
   return sphere({centre, radius, edge});
 }
 
-/// Inside out: what bounds a bubble.
+/// The ball inside out, which bounds a bubble.
 Triangles bubble(const Point& centre, double radius, double edge = 0.1) {
   Triangles s = body(centre, radius, edge);
   for (Triangle& t : s.triangles) std::swap(t[1], t[2]);
