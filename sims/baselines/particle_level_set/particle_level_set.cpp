@@ -7,7 +7,7 @@
 #include "kernel/errors.h"
 #include "sims/baselines/grid/level_set_surface.h"
 #include "sims/baselines/particle_level_set/fast_marching.h"
-#include "sims/baselines/particle_level_set/marker_correction.h"
+#include "sims/baselines/particle_level_set/particle_correction.h"
 #include "sims/baselines/particle_level_set/semi_lagrangian.h"
 #include "sims/baselines/particle_level_set/weno_level_set.h"
 #include "sims/support/clock.h"
@@ -22,7 +22,7 @@ void check(const ParticleLevelSetOptions& o) {
         "particle level set: radii are in cells: 0 < smallest_radius <= largest_radius <= band");
 }
 
-MarkerRules rules_of(const ParticleLevelSetOptions& o) {
+ParticleRules rules_of(const ParticleLevelSetOptions& o) {
   return {o.particles_per_cell, o.band,   o.smallest_radius,
           o.largest_radius,     o.escape, o.attraction_steps};
 }
@@ -38,31 +38,31 @@ class ParticleLevelSet : public SurfaceTracker {
         frame_{options.cell_size, options.origin},
         random_(options.seed),
         set_(dense_level_set(surface, frame_, options.band + kBeyondBand)) {
-    if (rules_.per_cell > 0) reseed(markers_, set_, rules_, random_);
+    if (rules_.per_cell > 0) reseed(particles_, set_, rules_, random_);
   }
 
   void advect(const VelocityField& u, double dt) override {
     const GridVelocity velocity{u, frame_.origin, frame_.cell_size};
-    std::vector<Marker> markers = markers_;
+    std::vector<Particle> particles = particles_;
     costs_.timed("particles", [&] {
-      carry(markers, velocity, {time_, dt, options_.particle_order});
+      carry(particles, velocity, {time_, dt, options_.particle_order});
     });
     costs_.timed("level_set", [&] {
-      set_ = weno() ? weno_advected(set_, velocity, {time_, dt, around(markers)})
+      set_ = weno() ? weno_advected(set_, velocity, {time_, dt, around(particles)})
                     : semi_lagrangian(set_, velocity,
-                                      {{time_, dt, options_.trace_order}, around(markers)});
+                                      {{time_, dt, options_.trace_order}, around(particles)});
     });
-    markers_ = std::move(markers);
+    particles_ = std::move(particles);
     surface_.reset();
     time_ += dt;
     ++steps_;
-    correct_by_markers();
+    correct_by_particles();
     distances_ = false;
     if (options_.reinitialise_every > 0 && steps_ % options_.reinitialise_every == 0)
       reinitialise();
-    costs_.timed("particles", [&] { adjust_radii(markers_, set_, rules_); });
+    costs_.timed("particles", [&] { adjust_radii(particles_, set_, rules_); });
     if (options_.reseed_every > 0 && steps_ % options_.reseed_every == 0 && rules_.per_cell > 0)
-      costs_.timed("reseed", [&] { reseed(markers_, set_, rules_, random_); });
+      costs_.timed("reseed", [&] { reseed(particles_, set_, rules_, random_); });
   }
 
   /// Re-initialises; re-seeding does not change the surface and stays in its rhythm.
@@ -70,7 +70,7 @@ class ParticleLevelSet : public SurfaceTracker {
     if (distances_ || options_.reinitialise_every == 0) return;
     surface_.reset();
     reinitialise();
-    costs_.timed("particles", [&] { adjust_radii(markers_, set_, rules_); });
+    costs_.timed("particles", [&] { adjust_radii(particles_, set_, rules_); });
   }
 
   const Triangles& surface() override {
@@ -86,7 +86,7 @@ class ParticleLevelSet : public SurfaceTracker {
 
   TrackerCost cost() const override {
     return {costs_.seconds,
-            {{"particles", static_cast<double>(markers_.size())},
+            {{"particles", static_cast<double>(particles_.size())},
              {"escaped", escaped_},
              {"nodes", static_cast<double>(set_.phi.size())}}};
   }
@@ -94,42 +94,42 @@ class ParticleLevelSet : public SurfaceTracker {
  private:
   bool weno() const { return options_.version == ParticleLevelSetVersion::weno; }
 
-  static Box around(const std::vector<Marker>& markers) {
+  static Box around(const std::vector<Particle>& particles) {
     Box box{Point::Constant(1), Point::Constant(0)};
-    if (!markers.empty()) box = {markers[0].position, markers[0].position};
-    for (const Marker& m : markers) {
+    if (!particles.empty()) box = {particles[0].position, particles[0].position};
+    for (const Particle& m : particles) {
       box.low = box.low.cwiseMin(m.position);
       box.high = box.high.cwiseMax(m.position);
     }
     return box;
   }
 
-  void correct_by_markers() {
+  void correct_by_particles() {
     costs_.timed("correct",
-                 [&] { escaped_ = static_cast<double>(correct(set_, markers_, rules_)); });
+                 [&] { escaped_ = static_cast<double>(correct(set_, particles_, rules_)); });
   }
   void reinitialise() {
     costs_.timed("reinitialise", [&] {
       if (weno())
-        set_ = weno_relaxed(set_, options_.relaxation_steps, around(markers_));
+        set_ = weno_relaxed(set_, options_.relaxation_steps, around(particles_));
       else
         march_distances(set_);
     });
-    correct_by_markers();
+    correct_by_particles();
     distances_ = true;
   }
 
   ParticleLevelSetOptions options_;
-  MarkerRules rules_;
+  ParticleRules rules_;
   GridFrame frame_;
   Random random_;
   DenseLevelSet set_;
-  std::vector<Marker> markers_;
+  std::vector<Particle> particles_;
   std::optional<Triangles> surface_;
   double time_ = 0;
   std::int64_t steps_ = 0;
   bool distances_ = true;  ///< φ was re-initialised since the last step
-  double escaped_ = 0;     ///< markers, at the last correction
+  double escaped_ = 0;     ///< particles, at the last correction
   Costs costs_{{{"level_set", 0},
                 {"particles", 0},
                 {"correct", 0},

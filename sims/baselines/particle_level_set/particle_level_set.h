@@ -1,4 +1,4 @@
-// The particle level set: a level set that its marker particles correct [Enright et al. 2002,
+// The particle level set: a level set that its particles correct [Enright et al. 2002,
 // 2005].
 #pragma once
 

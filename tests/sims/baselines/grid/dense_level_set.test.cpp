@@ -8,7 +8,7 @@
 #include "kernel/shapes/shapes.h"
 #include "sims/baselines/grid/level_set_surface.h"
 #include "sims/baselines/particle_level_set/fast_marching.h"
-#include "sims/baselines/particle_level_set/marker_correction.h"
+#include "sims/baselines/particle_level_set/particle_correction.h"
 #include "sims/baselines/particle_level_set/semi_lagrangian.h"
 
 using namespace suture;
@@ -142,12 +142,12 @@ TEST_CASE("paths converge with the order of their Runge-Kutta method") {
 
 TEST_CASE("seeds lie on their sides within the band, with radii that touch the surface") {
   const DenseLevelSet set = ball(8);
-  const MarkerRules rules;
-  std::vector<Marker> markers;
+  const ParticleRules rules;
+  std::vector<Particle> particles;
   Random random(1);
-  reseed(markers, set, rules, random);
+  reseed(particles, set, rules, random);
   double inside = 0;
-  for (const Marker& m : markers) {
+  for (const Particle& m : particles) {
     const double depth = m.side * set.sample(m.position);
     REQUIRE(depth >= rules.smallest_radius);
     REQUIRE(depth <= rules.band);
@@ -155,53 +155,53 @@ TEST_CASE("seeds lie on their sides within the band, with radii that touch the s
     inside += m.side < 0;
   }
   // The shell from 8 − 3 to 8 + 3 has 5,055 cells, 32 % of them inside; cells count that reach it.
-  CHECK(static_cast<double>(markers.size()) / 64 == Approx(6000).epsilon(0.1));
-  CHECK(inside / static_cast<double>(markers.size()) == Approx(0.32).margin(0.05));
+  CHECK(static_cast<double>(particles.size()) / 64 == Approx(6000).epsilon(0.1));
+  CHECK(inside / static_cast<double>(particles.size()) == Approx(0.32).margin(0.05));
 }
 
 TEST_CASE(
-    "re-seeding drops markers beyond the band and too many in a cell, and keeps escaped ones") {
+    "re-seeding drops particles beyond the band and too many in a cell, and keeps escaped ones") {
   const DenseLevelSet set = level_set(12, [](const Point& p) { return std::abs(p[2]) - 6.25; });
-  MarkerRules rules;
+  ParticleRules rules;
   Random random(1);
-  std::vector<Marker> seeded;
+  std::vector<Particle> seeded;
   reseed(seeded, set, rules, random);
-  std::vector<Marker> markers = seeded;
+  std::vector<Particle> particles = seeded;
   const Point beyond(0.5, 0.5, 0.5), far_out(0.5, 0.5, 10.5), crowded(0.5, 0.5, 5.5);
-  markers.push_back({beyond, 0.5, -1});   // on its side, beyond the band: goes
-  markers.push_back({beyond, 0.1, 1});    // escaped: stays
-  markers.push_back({far_out, 0.1, -1});  // escaped: stays
-  for (int i = 0; i < 500; ++i) markers.push_back({crowded, 0.5, -1});
-  reseed(markers, set, rules, random);
+  particles.push_back({beyond, 0.5, -1});   // on its side, beyond the band: goes
+  particles.push_back({beyond, 0.1, 1});    // escaped: stays
+  particles.push_back({far_out, 0.1, -1});  // escaped: stays
+  for (int i = 0; i < 500; ++i) particles.push_back({crowded, 0.5, -1});
+  reseed(particles, set, rules, random);
   const auto at = [&](const Point& p, double side) {
-    return std::count_if(markers.begin(), markers.end(),
-                         [&](const Marker& m) { return m.position == p && m.side == side; });
+    return std::count_if(particles.begin(), particles.end(),
+                         [&](const Particle& m) { return m.position == p && m.side == side; });
   };
   CHECK(at(beyond, -1) == 0);
   CHECK(at(beyond, 1) == 1);
   CHECK(at(far_out, -1) == 1);
   CHECK(at(crowded, -1) <= 64);
   CHECK(at(crowded, -1) > 15);  // seen: 24; the cell's others that reach farther stay
-  CHECK(markers.size() >= seeded.size());
+  CHECK(particles.size() >= seeded.size());
 }
 
-TEST_CASE("radii stay in their range, and an escaped marker has the smallest") {
+TEST_CASE("radii stay in their range, and an escaped particle has the smallest") {
   const DenseLevelSet set = level_set(9, [](const Point& p) { return p[2]; });
-  std::vector<Marker> markers{{{0.5, 0.5, 0.3}, 9, 1},
-                              {{0.5, 0.5, 0.01}, 9, 1},
-                              {{0.5, 0.5, 4}, 9, 1},
-                              {{0.5, 0.5, 0.3}, 9, -1}};
-  adjust_radii(markers, set, {});
-  CHECK(markers[0].radius == Approx(0.3));
-  CHECK(markers[1].radius == 0.1);
-  CHECK(markers[2].radius == 0.5);
-  CHECK(markers[3].radius == 0.1);
+  std::vector<Particle> particles{{{0.5, 0.5, 0.3}, 9, 1},
+                                  {{0.5, 0.5, 0.01}, 9, 1},
+                                  {{0.5, 0.5, 4}, 9, 1},
+                                  {{0.5, 0.5, 0.3}, 9, -1}};
+  adjust_radii(particles, set, {});
+  CHECK(particles[0].radius == Approx(0.3));
+  CHECK(particles[1].radius == 0.1);
+  CHECK(particles[2].radius == 0.5);
+  CHECK(particles[3].radius == 0.1);
 }
 
-TEST_CASE("escaped markers pull the level set over themselves; others do nothing") {
+TEST_CASE("escaped particles pull the level set over themselves; others do nothing") {
   DenseLevelSet set = level_set(9, [](const Point& p) { return p[2] - 0.25; });
   const DenseLevelSet before = set;
-  const Marker inner{{0, 0, 0.85}, 0.4, -1};  // it lies 0.6 outside
+  const Particle inner{{0, 0, 0.85}, 0.4, -1};  // it lies 0.6 outside
   CHECK(correct(set, {{{0, 0, 0.6}, 0.4, -1}, {{0, 0, 0.85}, 0.4, 1}}, {}) ==
         0);  // 0.35 is too little
   CHECK(set.phi == before.phi);

@@ -1,5 +1,5 @@
-// Seeding, attraction, motion and re-seeding of markers.
-#include "sims/baselines/particle_level_set/marker_particles.h"
+// Seeding, attraction, motion and re-seeding of particles.
+#include "sims/baselines/particle_level_set/particles.h"
 
 #include <algorithm>
 #include <optional>
@@ -9,7 +9,7 @@
 namespace suture::sims {
 namespace {
 
-double radius_at(double depth, const MarkerRules& rules) {
+double radius_at(double depth, const ParticleRules& rules) {
   return std::clamp(depth, rules.smallest_radius, rules.largest_radius);
 }
 
@@ -29,15 +29,15 @@ Near near_surface(const DenseLevelSet& set, std::size_t cell, double band) {
   return near;
 }
 
-/// One re-seeding, from the markers before to those after.
+/// One re-seeding, from the particles before to those after.
 class Reseeding {
  public:
-  Reseeding(const std::vector<Marker>& before, const DenseLevelSet& set, const MarkerRules& rules,
-            Random& random)
+  Reseeding(const std::vector<Particle>& before, const DenseLevelSet& set,
+            const ParticleRules& rules, Random& random)
       : before_(before), set_(set), rules_(rules), random_(random) {}
 
-  /// Goes through the cells in their order; \return the markers.
-  std::vector<Marker> run() {
+  /// Goes through the cells in their order; \return the particles.
+  std::vector<Particle> run() {
     const NodeBox& box = set_.box;
     sort_into_cells();
     for (int i = 0; i + 1 < box.size[0]; ++i)
@@ -48,7 +48,7 @@ class Reseeding {
   }
 
  private:
-  std::size_t cell_of(const Marker& m) const {
+  std::size_t cell_of(const Particle& m) const {
     return set_.box.at({static_cast<int>(std::floor(m.position[0])),
                         static_cast<int>(std::floor(m.position[1])),
                         static_cast<int>(std::floor(m.position[2]))});
@@ -57,7 +57,7 @@ class Reseeding {
   void sort_into_cells() {
     first_.assign(set_.box.count() + 1, 0);
     order_.resize(before_.size());
-    for (const Marker& m : before_) ++first_[cell_of(m) + 1];
+    for (const Particle& m : before_) ++first_[cell_of(m) + 1];
     for (std::size_t c = 0; c < set_.box.count(); ++c) first_[c + 1] += first_[c];
     std::vector<std::uint32_t> next(first_.begin(), first_.end() - 1);
     for (std::size_t m = 0; m < before_.size(); ++m)
@@ -73,17 +73,18 @@ class Reseeding {
     if (near.inside || near.outside) add(cell, after_.size() - others, near);
   }
 
-  /// Keeps the markers of the cell that stay, in their order.
+  /// Keeps the particles of the cell that stay, in their order.
   void keep(std::size_t cell, const Near& near) {
     std::vector<std::pair<double, std::uint32_t>> candidates[2];
     std::vector<std::uint32_t> stay;
     for (std::uint32_t at = first_[cell]; at < first_[cell + 1]; ++at) {
-      const Marker& marker = before_[order_[at]];
-      const double phi = set_.sample(marker.position);
-      if (escaped(marker, phi, rules_))
+      const Particle& particle = before_[order_[at]];
+      const double phi = set_.sample(particle.position);
+      if (escaped(particle, phi, rules_))
         stay.push_back(order_[at]);
-      else if (near.on(marker.side))
-        candidates[marker.side < 0].emplace_back(marker.side * phi - marker.radius, order_[at]);
+      else if (near.on(particle.side))
+        candidates[particle.side < 0].emplace_back(particle.side * phi - particle.radius,
+                                                   order_[at]);
     }
     for (auto& side : candidates) {
       if (const auto most = static_cast<std::size_t>(rules_.per_cell); side.size() > most) {
@@ -97,27 +98,27 @@ class Reseeding {
     for (const std::uint32_t m : stay) after_.push_back(before_[m]);
   }
 
-  /// Adds to the cell what it lacks; the last `has` markers are in it already. Sides are added in
+  /// Adds to the cell what it lacks; the last `has` particles are in it already. Sides are added in
   /// the ratio that is there, evenly to an empty cell, as in PhysBAM.
   void add(const Index3& cell, std::size_t has, const Near& near) {
     if (has >= static_cast<std::size_t>(rules_.per_cell)) return;
     const auto inside = static_cast<std::size_t>(
         std::count_if(after_.end() - static_cast<std::ptrdiff_t>(has), after_.end(),
-                      [](const Marker& m) { return m.side < 0; }));
+                      [](const Particle& m) { return m.side < 0; }));
     const std::size_t lacks = static_cast<std::size_t>(rules_.per_cell) - has;
     std::size_t inner = has > 0 ? lacks * inside / has : (lacks + 1) / 2;
     if (!near.outside) inner = lacks;
     if (!near.inside) inner = 0;
     for (std::size_t i = 0; i < lacks; ++i) {
-      Marker seed{Point::Zero(), 0, i < inner ? -1.0 : 1.0};
+      Particle seed{Point::Zero(), 0, i < inner ? -1.0 : 1.0};
       for (int a = 0; a < 3; ++a) seed.position[a] = cell[a] + random_.uniform();
-      if (const auto marker = attracted(seed)) after_.push_back(*marker);
+      if (const auto particle = attracted(seed)) after_.push_back(*particle);
     }
   }
 
   /// Attracts a seed along the normal to a random level in the band of its side, unless it is in it
-  /// already; no marker if it has not come there after all steps.
-  std::optional<Marker> attracted(Marker seed) {
+  /// already; no particle if it has not come there after all steps.
+  std::optional<Particle> attracted(Particle seed) {
     const auto depth = [&] { return seed.side * set_.sample(seed.position); };
     const auto in_band = [&](double d) { return d >= rules_.smallest_radius && d <= rules_.band; };
     double now = depth();
@@ -141,23 +142,23 @@ class Reseeding {
     return seed;
   }
 
-  const std::vector<Marker>& before_;
+  const std::vector<Particle>& before_;
   const DenseLevelSet& set_;
-  const MarkerRules& rules_;
+  const ParticleRules& rules_;
   Random& random_;
   std::vector<std::uint32_t> first_, order_;  ///< of each cell the first place in `order_`
-  std::vector<Marker> after_;
+  std::vector<Particle> after_;
 };
 
 }  // namespace
 
-void adjust_radii(std::vector<Marker>& markers, const DenseLevelSet& set,
-                  const MarkerRules& rules) {
-  for (Marker& m : markers) m.radius = radius_at(m.side * set.sample(m.position), rules);
+void adjust_radii(std::vector<Particle>& particles, const DenseLevelSet& set,
+                  const ParticleRules& rules) {
+  for (Particle& m : particles) m.radius = radius_at(m.side * set.sample(m.position), rules);
 }
 
-void carry(std::vector<Marker>& markers, const GridVelocity& u, const PathStep& step) {
-  for (Marker& m : markers) {
+void carry(std::vector<Particle>& particles, const GridVelocity& u, const PathStep& step) {
+  for (Particle& m : particles) {
     m.position = path_end(u, m.position, step);
     if (!m.position.allFinite())
       throw InvalidInput("particle level set: the velocity carries a particle to nowhere at time " +
@@ -165,10 +166,10 @@ void carry(std::vector<Marker>& markers, const GridVelocity& u, const PathStep& 
   }
 }
 
-void reseed(std::vector<Marker>& markers, const DenseLevelSet& set, const MarkerRules& rules,
+void reseed(std::vector<Particle>& particles, const DenseLevelSet& set, const ParticleRules& rules,
             Random& random) {
-  std::vector<Marker> after = Reseeding(markers, set, rules, random).run();
-  markers = std::move(after);
+  std::vector<Particle> after = Reseeding(particles, set, rules, random).run();
+  particles = std::move(after);
 }
 
 }  // namespace suture::sims
