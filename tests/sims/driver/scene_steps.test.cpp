@@ -1,12 +1,11 @@
 #include "sims/driver/scene_steps.h"
 
-#include <tbb/global_control.h>
-
 #include <catch2/catch.hpp>
 
 #include "kernel/audit.h"
 #include "kernel/errors.h"
 #include "kernel/measure/measures.h"
+#include "kernel/parallel.h"
 #include "sims/driver/run.h"
 #include "sims/scene/scene.h"
 #include "tests/sims/cli/program.h"
@@ -59,7 +58,7 @@ TEST_CASE("a method's surface is the same to the last bit on one thread and on m
   for (const char* const name : {"level_set", "particle_level_set", "semi_lagrangian_contouring"}) {
     INFO(name);
     const Triangles many = end_of(name);
-    const tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
+    const ThreadLimit one(1);
     CHECK(same_bits(end_of(name), many));
   }
 }

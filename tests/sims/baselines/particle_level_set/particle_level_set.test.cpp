@@ -1,7 +1,5 @@
 #include "sims/baselines/particle_level_set/particle_level_set.h"
 
-#include <tbb/global_control.h>
-
 #include <catch2/catch.hpp>
 #include <numbers>
 
@@ -9,6 +7,7 @@
 #include "kernel/errors.h"
 #include "kernel/measure/measures.h"
 #include "kernel/measure/nearest_triangle.h"
+#include "kernel/parallel.h"
 #include "kernel/shapes/shapes.h"
 #include "sims/flows/fields.h"
 
@@ -119,7 +118,7 @@ TEST_CASE(
   };
   const Triangles once = run(1, 7);
   {
-    const tbb::global_control one_thread(tbb::global_control::max_allowed_parallelism, 1);
+    const ThreadLimit one_thread(1);
     CHECK(same_bits(once, run(1, 7)));
   }
   CHECK(same_bits(once, run(0x1p40, 7)));
