@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "kernel/errors.h"
+#include "sims/scene/option_tables.h"
 #include "surgery/model/option_table.h"
 
 namespace suture::sims {
@@ -24,15 +25,10 @@ void append(Settings& all, const std::string& table,
 Settings settings_of(const Scene& scene) {
   QualityOptions quality = scene.tracker.quality;
   if (quality.edge_length == 0) quality.edge_length = scene.tracker.cell_size;
-  const TimeOptions& time = scene.time;
   Settings all;
   append(all, "tracker", values(scene.tracker, tracker_options()));
   append(all, "quality", values(quality, quality_options()));
-  append(all, "time",
-         {{"step", time.step},
-          {"end", time.end},
-          {"remodel_every", static_cast<std::int64_t>(time.remodel_every)},
-          {"improve_every", static_cast<std::int64_t>(time.improve_every)}});
+  append(all, "time", values(scene.time, time_options()));
   return all;
 }
 

@@ -15,7 +15,6 @@
 #include "tests/brute/construct_questions.h"
 
 using namespace suture;
-using namespace suture::sims;
 using namespace suture::brute;
 
 namespace {

@@ -12,7 +12,6 @@
 
 using namespace suture;
 using namespace suture::surgery;
-using namespace suture::sims;
 
 namespace {
 
