@@ -18,7 +18,7 @@ struct EffectMaker {
 };
 
 /// All effects, in the order in which they act. To add one, write its files in effects/, give its
-/// options a place in FluidOptions, and add a line here.
+/// options a place in FluidOptions, and add a line here and one in effect_tables.
 const std::array<EffectMaker, 4>& effect_makers();
 
 /// The effects that the scene names. They refer to `costs`. \throw InvalidInput unless all options
