@@ -11,6 +11,7 @@
 #include "kernel/errors.h"
 #include "kernel/lists.h"
 #include "kernel/measure/measures.h"
+#include "surgery/check/vanished.h"
 #include "surgery/collapse/paper_order.h"
 #include "surgery/collapse/straighten.h"
 #include "surgery/detect/coincident.h"
@@ -252,6 +253,8 @@ void attempt(Findings found, const Pass& pass) {
       report.failure = objection(adopted, found, pass);
       pass.clock.ended("audit");
       if (report.failure.empty()) {
+        report.vanished = vanished_bodies(
+            {pass.surface.triangles, adopted.surface.triangles, adopted.vertex_map});
         pass.surface = std::move(adopted.surface);
         report.vertex_map = std::move(adopted.vertex_map);
         report.region = found.region.cells.keys();

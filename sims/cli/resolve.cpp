@@ -9,6 +9,7 @@
 #include "kernel/errors.h"
 #include "kernel/files.h"
 #include "kernel/formats/mesh_io.h"
+#include "kernel/measure/body_loss.h"
 #include "kernel/measure/measures.h"
 #include "sims/cli/choices.h"
 #include "sims/cli/commands.h"
@@ -29,6 +30,7 @@ struct Settings {
   Inputs inputs;
   fs::path out, report, picture;
   double cells = 0;
+  double may_lose = 0.1;  ///< part of a body's volume
   TrackerOptions tracker;
 };
 
@@ -66,6 +68,9 @@ void check_paths(const Settings& s) {
 }
 
 void check_options(const Settings& s) {
+  if (!(s.may_lose >= 0 && s.may_lose <= 1))
+    throw InvalidInput(
+        fmt::format("--may-lose is {}; give a part of a body's volume, 0 to 1", s.may_lose));
   require_writable_mesh(s.out);
   if (!s.report.empty()) require_folder_of(s.report);
   if (!s.picture.empty()) require_writable_picture(s.picture);
@@ -97,6 +102,62 @@ SurgeryReport remodel(Tracker& tracker, const Settings& s) {
   return report;
 }
 
+/// The words for one body's loss, with where it is.
+std::string words(const BodyLoss& loss) {
+  return fmt::format("{} {} (volume {:.4g}, at {:.4g} {:.4g} {:.4g}) {} {:.3g} % of its volume",
+                     loss.volume < 0 ? "cavity" : "body", loss.component + 1, std::abs(loss.volume),
+                     loss.centre[0], loss.centre[1], loss.centre[2],
+                     loss.volume < 0 ? "is filled by" : "loses", 100 * loss.part);
+}
+
+/// The bodies that lost a hundredth or more: less is what rounding off at seams takes, and the
+/// error of the measure.
+std::vector<BodyLoss> notable_losses(const Triangles& before, const Triangles& after) {
+  std::vector<BodyLoss> losses = body_losses(before, after);
+  std::erase_if(losses, [](const BodyLoss& loss) { return loss.part < 0.01; });
+  return losses;
+}
+
+/// \throw InvalidInput where a body has lost more than it may
+void check_losses(const std::vector<BodyLoss>& losses, const Settings& s) {
+  std::size_t more = 0;
+  const BodyLoss* worst = nullptr;
+  for (const BodyLoss& loss : losses) {
+    if (loss.part <= s.may_lose) continue;
+    ++more;
+    if (!worst || loss.part > worst->part) worst = &loss;
+  }
+  if (!worst) return;
+  throw InvalidInput(fmt::format(
+      "with cells of {:.4g}, {}{}; nothing was written. What is thinner than a cell goes: give "
+      "smaller cells, --events merge, or allow it by --may-lose {:.2g}",
+      s.tracker.cell_size, words(*worst),
+      more > 1 ? fmt::format(", and {} more lose more than {:.3g} %", more - 1, 100 * s.may_lose)
+               : "",
+      std::min(1.0, std::ceil(100 * worst->part) / 100)));
+}
+
+nlohmann::json json_of(const std::vector<BodyLoss>& losses) {
+  nlohmann::json all = nlohmann::json::array();
+  for (const BodyLoss& loss : losses)
+    all.push_back({{"body", loss.component + 1},
+                   {"volume", loss.volume},
+                   {"part_lost", loss.part},
+                   {"centre", {loss.centre[0], loss.centre[1], loss.centre[2]}}});
+  return all;
+}
+
+/// The end of the one-line result: the bodies that lost most.
+std::string told(std::vector<BodyLoss> losses) {
+  constexpr std::size_t kTold = 3;
+  std::stable_sort(losses.begin(), losses.end(),
+                   [](const BodyLoss& a, const BodyLoss& b) { return a.part > b.part; });
+  std::string text;
+  for (std::size_t i = 0; i < std::min(kTold, losses.size()); ++i) text += "; " + words(losses[i]);
+  if (losses.size() > kTold) text += fmt::format("; {} more lose some", losses.size() - kTold);
+  return text;
+}
+
 TriangleColours patches(const Triangles& surface, const SurgeryReport& report) {
   if (report.outcome != Outcome::committed) return {};
   std::vector<double> fresh(surface.positions.size(), 1.0);
@@ -116,6 +177,10 @@ void resolve(Settings s, const CLI::App& command) {
     throw InvalidInput(
         "nothing is left of the input at this cell size: every part is thinner than "
         "a cell; give a smaller cell, or --events merge");
+  const std::vector<BodyLoss> losses = report.outcome == Outcome::committed
+                                           ? notable_losses(input, surface)
+                                           : std::vector<BodyLoss>{};
+  check_losses(losses, s);
   write_triangles(s.out, surface);  // first: if it fails, nothing else is left behind
   if (!s.picture.empty()) render_png(surface, patches(surface, report), {}, s.picture);
   if (!s.report.empty()) {
@@ -124,13 +189,14 @@ void resolve(Settings s, const CLI::App& command) {
     json["options"] = to_json(s.tracker);
     json["before"] = measured(input);
     json["after"] = measured(surface);
+    json["losses"] = json_of(losses);
     write_file(s.report, json.dump(1) + "\n");
   }
   fmt::print(
       "{}: {} triangles, {} components before; {} triangles, {} components after; {} cells "
-      "re-sampled\n",
+      "re-sampled{}\n",
       s.out.string(), input.triangles.size(), components(input).count, surface.triangles.size(),
-      components(surface).count, report.marked.total());
+      components(surface).count, report.marked.total(), told(losses));
 }
 
 }  // namespace
@@ -160,6 +226,11 @@ void add_resolve(CLI::App& app, int& exit) {
                     {"--depth", "depth"},
                     {"--origin", "origin"}});
   command->add_flag("--repair", s->inputs.mend, "Mend what has one right answer, and say what");
+  command
+      ->add_option("--may-lose", s->may_lose,
+                   "Part of its volume that any body may lose, or of a cavity that may be filled")
+      ->type_name("PART")
+      ->capture_default_str();
   command->add_option("--report", s->report, "Write the report as JSON")->type_name("R.json");
   command->add_option("--picture", s->picture, "Draw the result; what is new is in colour")
       ->type_name("P.png");

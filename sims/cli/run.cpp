@@ -28,6 +28,11 @@ int run_scene(const Settings& s) {
       "{} meshes, {} pictures and report.json in {}\n",
       scene.title, r.steps, r.remodels, r.committed, r.merges, r.splits, r.meshes, r.pictures,
       s.folder.string());
+  if (r.vanished != 0)
+    fmt::print(stderr,
+               "{} bodies vanished, being thinner than a cell: \"vanished\" of \"remodels\" in "
+               "report.json says when and where; smaller cells or events = \"merge\" keep them\n",
+               r.vanished);
   if (r.refused != 0)
     fmt::print(stderr, "{} surgeries were refused, the first because: {}; reproducer: {}\n",
                r.refused, r.failure, r.reproducer);

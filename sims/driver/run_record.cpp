@@ -72,10 +72,13 @@ void RunRecord::remodelled(const SurgeryReport& report) {
   }
   if (report.outcome != Outcome::committed) return;
   ++summary_.committed;
-  if (report.components_after < report.components_before)
-    summary_.merges += report.components_before - report.components_after;
+  const std::size_t vanished = report.vanished.size();
+  summary_.vanished += vanished;
+  const std::size_t left = report.components_before - vanished;
+  if (report.components_after < left)
+    summary_.merges += left - report.components_after;
   else
-    summary_.splits += report.components_after - report.components_before;
+    summary_.splits += report.components_after - left;
   ages_.remodelled(report, surface());
 }
 
@@ -147,6 +150,7 @@ void RunRecord::write_report(const std::string& failure) {
       {"refused", s.refused},
       {"merges", s.merges},
       {"splits", s.splits},
+      {"vanished_bodies", s.vanished},
       {"failure", failure}};
   if (steps_.fluid() != nullptr) report_["modules"] = to_json(steps_.fluid()->costs());
   if (!is_mesh() || steps_.fluid() != nullptr) report_["cost"] = to_json(steps_.cost());

@@ -52,6 +52,14 @@ json to_json(const OracleCounts& o) {
           {"filter_failures", o.filter_failures}};
 }
 
+json to_json(const std::vector<VanishedBody>& bodies) {
+  json all = json::array();
+  for (const VanishedBody& body : bodies)
+    all.push_back(
+        {{"volume", body.volume}, {"centre", {body.centre[0], body.centre[1], body.centre[2]}}});
+  return all;
+}
+
 /// The options of a table by their names.
 template <class Options>
 json to_json(const Options& options, const OptionTable<Options>& table) {
@@ -94,6 +102,7 @@ json to_json(const SurgeryReport& r, const std::string& reproducer) {
           {"euler_after", r.euler_after},
           {"components_before", r.components_before},
           {"components_after", r.components_after},
+          {"vanished", to_json(r.vanished)},
           {"seconds", std::move(seconds)}};
 }
 

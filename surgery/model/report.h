@@ -36,6 +36,13 @@ struct CollapseCounts {
               refused_feature = 0;
 };
 
+/// A body that surgery left nothing of, since it was thinner than a cell; or a cavity, of negative
+/// volume, that it filled. Lengths are in the scene's unit.
+struct VanishedBody {
+  double volume;
+  Point centre;  ///< of its bounding box
+};
+
 struct SurgeryReport {
   Outcome outcome = Outcome::unchanged;
   std::string failure;  ///< why it was refused
@@ -59,6 +66,7 @@ struct SurgeryReport {
   double volume_before = 0, volume_after = 0;
   std::int64_t euler_before = 0, euler_after = 0;
   std::size_t components_before = 0, components_after = 0;
+  std::vector<VanishedBody> vanished;  ///< components before that neither stayed nor merged
 
   std::vector<std::pair<std::string, double>> seconds;  ///< per stage, in order
   std::vector<std::uint32_t> vertex_map;  ///< old vertex → new one, or kNone where it went

@@ -92,6 +92,10 @@ bool multiply(Surface& surface, int exponent) {
 }
 
 void multiply(SurgeryReport& report, int exponent) {
+  for (VanishedBody& body : report.vanished) {
+    body.volume = std::ldexp(body.volume, 3 * exponent);
+    for (double& x : body.centre) x = std::ldexp(x, exponent);
+  }
   report.volume_before = std::ldexp(report.volume_before, 3 * exponent);
   report.volume_after = std::ldexp(report.volume_after, 3 * exponent);
 }

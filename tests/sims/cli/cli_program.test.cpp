@@ -4,8 +4,10 @@
 #include <nlohmann/json.hpp>
 
 #include "kernel/audit.h"
+#include "kernel/files.h"
 #include "kernel/formats/mesh_io.h"
 #include "kernel/measure/measures.h"
+#include "kernel/shapes/shapes.h"
 #include "kernel/shapes/transform.h"
 #include "sims/output/report_json.h"
 #include "tests/sims/balls.h"
@@ -65,6 +67,30 @@ TEST_CASE("resolve makes one closed surface of two overlapping balls") {
   CHECK(report["options"]["cell_size"].get<double>() == Approx(3.1 / 24));
   CHECK(contents(folder / "p.png").substr(1, 3) == "PNG");
   CHECK(folder.files() == 5);
+}
+
+TEST_CASE("resolve refuses to lose a thin body unless told that it may, and then says so") {
+  const Folder folder;
+  const Triangles plate = translated(box({.size = {1, 1, 0.02}, .edge_length = 0.1}), {3, 0, 0.057});
+  write_triangles(folder / "in.ply", merged(std::vector<Triangles>{subdivided_ball(3, 1), plate}));
+  const std::string start =
+      "resolve " + folder.name("in.ply") + " --cells 40 -o " + folder.name("out.ply");
+  const Said refused = suture_program(start);
+  INFO(refused.text);
+  CHECK(refused.exit == 2);
+  CHECK_THAT(refused.text, Contains("body 2") && Contains("--may-lose 1") &&
+                               Contains("--events merge") && Contains("smaller cells"));
+  CHECK(folder.files() == 1);
+  const Said told = suture_program(start + " --may-lose 1 --report " + folder.name("r.json"));
+  INFO(told.text);
+  CHECK(told.exit == 0);
+  CHECK_THAT(told.text, Contains("body 2") && Contains("loses") && Contains("% of its volume"));
+  CHECK_THAT(suture::read_file(folder / "r.json"), Contains("\"part_lost\""));
+  const Said merged_only = suture_program(start + " --events merge");
+  INFO(merged_only.text);
+  CHECK(merged_only.exit == 0);
+  CHECK_THAT(merged_only.text, !Contains("loses"));
+  CHECK(suture_program(start + " --may-lose 1.5").exit == 2);
 }
 
 TEST_CASE("resolve takes every one of its options") {
