@@ -71,7 +71,8 @@ TEST_CASE("resolve makes one closed surface of two overlapping balls") {
 
 TEST_CASE("resolve refuses to lose a thin body unless told that it may, and then says so") {
   const Folder folder;
-  const Triangles plate = translated(box({.size = {1, 1, 0.02}, .edge_length = 0.1}), {3, 0, 0.057});
+  const Triangles plate =
+      translated(box({.size = {1, 1, 0.02}, .edge_length = 0.1}), {3, 0, 0.057});
   write_triangles(folder / "in.ply", merged(std::vector<Triangles>{subdivided_ball(3, 1), plate}));
   const std::string start =
       "resolve " + folder.name("in.ply") + " --cells 40 -o " + folder.name("out.ply");
