@@ -20,6 +20,8 @@
 #include "surgery/detect/distance_field.h"
 #include "surgery/detect/invariance.h"
 #include "surgery/detect/region.h"
+#include "surgery/detect/rounding.h"
+#include "surgery/detect/zones.h"
 #include "surgery/operate/cut.h"
 #include "surgery/operate/fill.h"
 #include "surgery/operate/placement.h"
@@ -169,7 +171,8 @@ Candidate operate_and_regrow(Findings& found, Pieces pieces, const Pass& pass) {
     std::vector<LatticeId> seeds = found.region.cells.keys();
     seeds.insert(seeds.end(), candidate.gridlocked.begin(), candidate.gridlocked.end());
     const std::size_t before = found.region.cells.size();
-    found.region = grow_region(seeds, found.cells);
+    found.region = grow_over_zones(grow_region(seeds, found.cells),
+                                   {found.cells, found.winding, pass.options.events});
     pass.report.marked.gridlocked += found.region.cells.size() - before;
     ++pass.report.regrowths;
   }
@@ -185,6 +188,9 @@ Region detect_region(const CellSet& cells, const Winding& winding, const Pass& p
   Region region = grow_region(seeds.cells, cells);
   pass.report.marked = seeds.marked;
   pass.report.marked.flooded = region.cells.size() - seeds.cells.size();
+  const std::size_t before = region.cells.size();
+  region = grow_over_zones(std::move(region), {cells, winding, options.events});
+  pass.report.marked.overlapped = region.cells.size() - before;
   return region;
 }
 
@@ -209,36 +215,28 @@ std::unique_ptr<Oracle> judge_for(const TrackerOptions& options) {
   return options.arithmetic == Arithmetic::rounded ? make_filtered_oracle() : nullptr;
 }
 
-/// The nodes outside the region whose winding or side has changed.
+/// The nodes whose side has changed, or a winding of 0 or 1.
 std::vector<Index3> changed_nodes(const Adopted& after, const Findings& found, const Pass& pass) {
   const std::unique_ptr<Oracle> judge = judge_for(pass.options);
   std::optional<OracleTally> apart;  // the judge's questions are not the surgery's
   if (judge) apart.emplace();
   const Triangles change = difference(pass.surface.triangles, after.surface.triangles,
                                       {after.triangle_origin, after.vertex_map});
-  return changed_outside(change, found.seen_by(judge ? *judge : pass.oracle));
+  return wrongly_changed(change, found.seen_by(judge ? *judge : pass.oracle));
 }
 
 /// The audit's objection to a new surface; empty where it is closed, oriented, manifold and finite,
-/// and no winding outside the region has changed.
+/// and no node has changed its side, but for those that the surface meets within rounding.
 std::string objection(const Adopted& after, const Findings& found, const Pass& pass) {
   const Audit result = audit(after.surface.triangles);
   if (!result.closed_manifold()) return "audit: " + result.first;
   const std::vector<Index3> changed = changed_nodes(after, found, pass);
   if (changed.empty()) return {};
-  // An inserted vertex is off its triangle by half a bit of each coordinate: a node that lies on
-  // the surface, or within a few bits of it, may find itself on the other side.
-  constexpr double kRounding = 0x1p-48;
-  const Triangles& before = pass.surface.triangles;
-  const Box box = bounding_box(before.positions);
-  const double reach =
-      kRounding * std::max(box.low.cwiseAbs().maxCoeff(), box.high.cwiseAbs().maxCoeff());
-  const DistanceField distance(before, found.lattice, found.winding);
+  const Rounding rounding(pass.surface.triangles, found.lattice);
   for (const Index3& node : changed)
-    if (!(std::abs(distance.at(node)) <= reach))
+    if (!rounding.reaches(node))
       return "audit: the winding of node " + std::to_string(node[0]) + " " +
-             std::to_string(node[1]) + " " + std::to_string(node[2]) +
-             ", outside the region, has changed";
+             std::to_string(node[1]) + " " + std::to_string(node[2]) + " has changed";
   return {};
 }
 

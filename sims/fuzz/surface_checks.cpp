@@ -11,6 +11,7 @@
 #include "kernel/audit.h"
 #include "kernel/random.h"
 #include "surgery/check/surgery_check.h"
+#include "surgery/detect/rounding.h"
 #include "surgery/tracker.h"
 
 namespace suture::sims {
@@ -24,24 +25,6 @@ bool jitters(const Observation& o) {
 
 std::string name_of(const Index3& node) {
   return fmt::format("node {} {} {}", node[0], node[1], node[2]);
-}
-
-/// Whether rounding alone can change a node's side: inserted vertices are off their triangles by
-/// half a bit of each coordinate.
-bool within_rounding(const Index3& node, const SurfaceDistance& distance,
-                     const Triangles& surface) {
-  const Box box = bounding_box(surface.positions);
-  const double reach =
-      0x1p-48 * std::max(box.low.cwiseAbs().maxCoeff(), box.high.cwiseAbs().maxCoeff());
-  return std::abs(distance.at(node)) <= reach;
-}
-
-bool wholly_in(const std::vector<LatticeId>& region, const Index3& node) {
-  for (int c = 0; c < 8; ++c)
-    if (!std::binary_search(region.begin(), region.end(),
-                            pack(node[0] - (c & 1), node[1] - (c >> 1 & 1), node[2] - (c >> 2))))
-      return false;
-  return true;
 }
 
 /// The nodes within `reach` cells of some cells, those of the cells included.
@@ -124,23 +107,20 @@ Objection check_marches(const Observation& o) {
   return "the marches along the axes disagree on the surface after a remodel";
 }
 
-/// The side of a node is the same before and after a remodel, unless all its cells were re-sampled
-/// or it is within rounding of the surface. Here both whole surfaces are marched; the remodel's own
-/// audit marches what was taken out and put in. Both miss sides that change where all cells were
-/// re-sampled, as they may with one event [papers/proof.md, 9.3].
+/// The side of every node is the same before and after a remodel, unless it is within rounding of
+/// the surface. Here both whole surfaces are marched; the remodel's own audit marches what was
+/// taken out and put in.
 Objection check_invariance(const Observation& o) {
   if (!committed(o) || jitters(o)) return {};
   const Lattice lattice = lattice_of(o.before.positions, o.options);
   const SurfaceCheck before(o.before, lattice), after(o.after, lattice);
   const std::vector<Index3> changed = SurfaceCheck::sides_changed(before, after);
   if (changed.empty()) return {};
-  const SurfaceDistance distance(o.before, exactly(o.options));
-  std::vector<LatticeId> region = o.surgery->region;
-  std::sort(region.begin(), region.end());
+  const surgery::Rounding rounding(o.before, lattice);
   for (const Index3& node : changed)
-    if (!wholly_in(region, node) && !within_rounding(node, distance, o.before))
-      return fmt::format("{}, outside the region, changed from winding {} to {}", name_of(node),
-                         before.winding(node), after.winding(node));
+    if (!rounding.reaches(node))
+      return fmt::format("{} changed from winding {} to {}", name_of(node), before.winding(node),
+                         after.winding(node));
   return {};
 }
 
@@ -154,9 +134,10 @@ Objection check_settled(const Observation& o) {
   if (o.surgery == nullptr || o.moved || o.options.cell_test != CellTest::deep ||
       o.options.depth < 1 || jitters(o) || !committed(o) || o.surgery->region.empty())
     return {};
-  const SurfaceDistance distance(o.before, exactly(o.options));
+  const Lattice lattice = lattice_of(o.before.positions, o.options);
+  const surgery::Rounding rounding(o.before, lattice);
   for (const Index3& node : corners_of(o.surgery->region, o.options.depth))
-    if (within_rounding(node, distance, o.before)) return {};
+    if (rounding.reaches(node)) return {};
   return fmt::format("a second remodel changed the surface, {} cells marked",
                      o.surgery->marked.total());
 }

@@ -41,6 +41,7 @@ json to_json(const MarkedCells& m) {
           {"inverted", m.inverted},
           {"plain", m.plain},
           {"flooded", m.flooded},
+          {"overlapped", m.overlapped},
           {"gridlocked", m.gridlocked},
           {"total", m.total()}};
 }

@@ -1,19 +1,9 @@
 // The winding of the difference of two surfaces is the change of winding: cost follows the surgery.
 #include "surgery/detect/invariance.h"
 
-#include <array>
-
 namespace suture::surgery {
 
 namespace {
-
-bool all_cells_in(const Region& region, const Index3& node) {
-  for (int corner = 0; corner < 8; ++corner)
-    if (!region.holds(
-            pack(node[0] - (corner & 1), node[1] - (corner >> 1 & 1), node[2] - (corner >> 2 & 1))))
-      return false;
-  return true;
-}
 
 bool same(const Triangle& before, const Triangle& after,
           const std::vector<std::uint32_t>& vertex_map) {
@@ -62,7 +52,7 @@ Triangles difference(const Triangles& before, const Triangles& after, const Line
   return result;
 }
 
-std::vector<Index3> changed_outside(const Triangles& difference, const Detected& before) {
+std::vector<Index3> wrongly_changed(const Triangles& difference, const Detected& before) {
   constexpr int kAxis = 2;
   const Winding change(
       find_crossings(incidence(difference, EdgeUse::any), before.on, Lines::along_z));
@@ -74,8 +64,7 @@ std::vector<Index3> changed_outside(const Triangles& difference, const Detected&
     for (const int last = unpack(edges[i + 1].edge)[kAxis]; node[kAxis] < last;) {
       ++node[kAxis];
       const int was = before.winding.at(node), is = was + edges[i].after;
-      const bool fine =
-          (was > 1 && is >= 1) || (was < 0 && is < 1) || all_cells_in(before.region, node);
+      const bool fine = (was > 1 && is >= 1) || (was < 0 && is < 1);
       if (!fine) nodes.push_back(node);
     }
   }

@@ -1,4 +1,4 @@
-// The last part of the audit: surgery must not change windings outside its region [§5.3].
+// The last part of the audit: surgery must not change the side of a node [§5.3].
 #pragma once
 
 #include "surgery/detect/region.h"
@@ -16,13 +16,11 @@ struct Lineage {
 /// chain.
 Triangles difference(const Triangles& before, const Triangles& after, const Lineage& lineage);
 
-/// Nodes with a cell outside the region whose winding the surgery changed although it was 0 or 1,
-/// or whose side it changed, in a defined order. (Where bodies overlap or are inverted, nodes in
-/// cells without mesh may go from 2 to 1 or from −1 to 0 as the sheets round them are replaced:
-/// their side stays.) With both events there are none but for nodes within rounding of the surface,
-/// since inserted vertices are rounded; with one event there may be others [papers/proof.md, 9.3].
-/// Nodes with all their cells in the region are not looked at, though with one event these too may
-/// change side: a known fault. \throw InternalFailure if the oracle contradicts itself
-std::vector<Index3> changed_outside(const Triangles& difference, const Detected& before);
+/// Nodes, wherever they are, whose side the surgery changed, or whose winding it changed although
+/// that was 0 or 1, in a defined order. (Where bodies overlap or are inverted, nodes may go from 2
+/// to 1 or from −1 to 0 as the sheets round them are replaced: their side stays.) There are none
+/// but for nodes within rounding of the surface, since inserted vertices are rounded
+/// [papers/proof.md, 9]. \throw InternalFailure if the oracle contradicts itself
+std::vector<Index3> wrongly_changed(const Triangles& difference, const Detected& before);
 
 }  // namespace suture::surgery

@@ -22,9 +22,12 @@ enum class Outcome {
 struct MarkedCells {
   std::size_t deep_inside = 0, deep_outside = 0, self_intersecting = 0, inverted = 0, plain = 0,
               flooded = 0;
+  /// Round zones of winding −1 or 2 that the region touches and that the events alone would leave.
+  std::size_t overlapped = 0;
   std::size_t gridlocked = 0;  ///< by regrowths, with what these flooded [§6.2]
   std::size_t total() const {
-    return deep_inside + deep_outside + self_intersecting + inverted + plain + flooded + gridlocked;
+    return deep_inside + deep_outside + self_intersecting + inverted + plain + flooded +
+           overlapped + gridlocked;
   }
 };
 
