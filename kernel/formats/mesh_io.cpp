@@ -85,6 +85,7 @@ Triangles read_triangles(const std::filesystem::path& path) {
 void write_triangles(const std::filesystem::path& path, const Triangles& surface) {
   const Format& format = format_of(path);
   require_readable_again(surface, path.string());
+  if (format.parse == parse_stl) require_apart_as_stl(surface, path.string());
   write_file(path, format.format(surface));
 }
 

@@ -1,4 +1,8 @@
 // STL, text or binary: loose triangles, whose exactly equal points are welded.
+#include <cmath>
+#include <limits>
+
+#include "kernel/audit.h"
 #include "kernel/errors.h"
 #include "kernel/formats/builder.h"
 #include "kernel/formats/bytes.h"
@@ -117,6 +121,20 @@ Triangles parse_stl(std::string_view bytes, const std::string& file) {
                      std::to_string(bytes.size()) + " bytes where " + std::to_string(facets) +
                      " facets take " + std::to_string(kHeader + kFacet * facets) +
                      "; it is incomplete or damaged: fetch or export it again");
+}
+
+void require_apart_as_stl(const Triangles& surface, const std::string& name) {
+  if (!audit(surface).closed_manifold()) return;
+  Triangles read_back = surface;
+  for (Point& p : read_back.positions)
+    for (double& x : p)
+      if (std::abs(x) <= std::numeric_limits<float>::max()) x = static_cast<float>(x);
+  const Audit result = audit(welded(std::move(read_back)));
+  if (result.closed_manifold()) return;
+  throw InvalidInput(name +
+                     ": STL has no vertex indices, and readers that weld its points in 32 bits "
+                     "would find no closed manifold: " +
+                     result.first + "; nothing is written: write PLY, OBJ or OFF");
 }
 
 std::string format_stl(const Triangles& surface) {

@@ -7,6 +7,7 @@
 #include "kernel/audit.h"
 #include "kernel/corners.h"
 #include "kernel/errors.h"
+#include "kernel/repair/duplicates.h"
 #include "kernel/repair/inside_out.h"
 #include "kernel/repair/orientation.h"
 #include "kernel/repair/weld.h"
@@ -16,49 +17,9 @@ namespace suture {
 
 namespace {
 
-std::size_t drop(Triangles& surface, const std::vector<std::uint8_t>& gone) {
-  std::size_t kept = 0;
-  for (std::size_t i = 0; i < gone.size(); ++i)
-    if (gone[i] == 0) surface.triangles[kept++] = surface.triangles[i];
-  surface.triangles.resize(kept);
-  return gone.size() - kept;
-}
-
 std::size_t drop_degenerate(Triangles& surface) {
   return std::erase_if(surface.triangles,
                        [&](const Triangle& t) { return !usable(t, surface.positions.size()); });
-}
-
-bool same_vertices(const Triangle& a, Triangle b) {
-  return std::is_permutation(a.begin(), a.end(), b.begin());
-}
-
-std::size_t drop_duplicates(Triangles& surface) {
-  const Corners corners(surface);
-  // Whether an odd number of triangles other than those on the vertices of `t` have its edge k.
-  const auto edge_needs_it = [&](const Triangle& t, std::size_t k) {
-    std::size_t others = 0;
-    corners.for_each_use(t[k], t[(k + 1) % 3], [&](std::uint32_t other, bool) {
-      if (!same_vertices(t, surface.triangles[other])) ++others;
-    });
-    return others % 2 == 1;
-  };
-  std::vector<std::uint8_t> gone(surface.triangles.size(), 0);
-  for (std::size_t i = 0; i < surface.triangles.size(); ++i) {
-    if (gone[i] != 0) continue;
-    const Triangle& t = surface.triangles[i];
-    std::size_t copies = 0;
-    corners.for_each_use(t[0], t[1], [&](std::uint32_t other, bool) {
-      if (other == i || !same_vertices(t, surface.triangles[other])) return;
-      gone[other] = 1;
-      ++copies;
-    });
-    if (copies == 0) continue;
-    bool needed = false;
-    for (std::size_t k = 0; k < 3; ++k) needed |= edge_needs_it(t, k);
-    gone[i] = needed ? 0 : 1;
-  }
-  return drop(surface, gone);
 }
 
 // A border edge, by the first vertices at its two points, lower one first, and by its own vertices.
@@ -106,12 +67,13 @@ void drop_and_weld(Triangles& surface, RepairReport& report) {
   std::size_t done = 0;
   do {
     const std::size_t degenerate = drop_degenerate(surface);
-    const std::size_t duplicate = drop_duplicates(surface);
+    const DroppedCopies copies = drop_duplicates(surface);
     const std::size_t welded = weld_borders(surface);
     report.degenerate_triangles += degenerate;
-    report.duplicate_triangles += duplicate;
+    report.duplicate_triangles += copies.repeated;
+    report.cancelled_triangles += copies.cancelled;
     report.welded_vertices += welded;
-    done = degenerate + duplicate + welded;
+    done = degenerate + copies.repeated + copies.cancelled + welded;
   } while (done > 0);
 }
 
@@ -179,6 +141,8 @@ std::vector<std::string> RepairReport::in_words() const {
       {degenerate_triangles, "triangle that used a vertex twice was dropped",
        "triangles that used a vertex twice were dropped"},
       {duplicate_triangles, "repeated triangle was dropped", "repeated triangles were dropped"},
+      {cancelled_triangles, "triangle was dropped with all its copies, as they enclosed nothing",
+       "triangles were dropped with all their copies, as they enclosed nothing"},
       {welded_vertices, "vertex was welded to another at the same point",
        "vertices were welded to others at the same points"},
       {turned_triangles, "triangle was turned to agree with its neighbours",

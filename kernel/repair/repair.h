@@ -12,7 +12,8 @@ namespace suture {
 /// Counts of the changes that `repair` made.
 struct RepairReport {
   std::size_t degenerate_triangles = 0;   ///< were dropped, as one vertex stood at two corners
-  std::size_t duplicate_triangles = 0;    ///< were dropped, as others had the same three vertices
+  std::size_t duplicate_triangles = 0;    ///< were dropped, and one on the same vertices stayed
+  std::size_t cancelled_triangles = 0;    ///< were dropped with all others on the same vertices
   std::size_t welded_vertices = 0;        ///< became one with another at exactly the same point
   std::size_t turned_triangles = 0;       ///< were turned over to agree with their neighbours
   std::size_t split_vertices = 0;         ///< were added where fans met in one point only
@@ -25,13 +26,12 @@ struct RepairReport {
 };
 
 /// Mends in place, in this order. Degenerate triangles go. Of triangles on the same three vertices
-/// one stays if an odd number of other triangles ends at their edges, else none, so that a body
-/// whose triangles are all given twice goes as a whole, which is a known fault. Points are welded
-/// along pairs of border edges that coincide exactly, and only there: closed surfaces that touch
-/// stay apart, and no edge gets a third triangle. Triangles are oriented, each fan gets a vertex of
-/// its own, inside-out components are turned, and isolated vertices go. `audit` reports the faults
-/// that are left. A surface with coordinates that are not finite or indices out of range is left
-/// alone. A second repair finds nothing to do.
+/// one stays, but none of a wall inside a body or of a cover from both sides (`drop_duplicates`).
+/// Points are welded along pairs of border edges that coincide exactly, and only there: closed
+/// surfaces that touch stay apart, and no edge gets a third triangle. Triangles are oriented, each
+/// fan gets a vertex of its own, inside-out components are turned, and isolated vertices go.
+/// `audit` reports what is left. A surface with coordinates that are not finite or indices out of
+/// range is left alone. A second repair finds nothing to do.
 RepairReport repair(Triangles& surface);
 
 /// Refuses all but closed manifolds (`require_closed_manifold`) without an inside-out component.

@@ -23,9 +23,12 @@ struct Settings {
 /// All that there is to say of one file.
 struct Verdict {
   std::string file;
+  bool empty = false;  ///< whether it has no triangle, and so is no surface
   Audit audit;
   nlohmann::json measures;  ///< null where the indices or coordinates allow no measure
 };
+
+bool passes(const Verdict& v) { return !v.empty && v.audit.closed_manifold(); }
 
 bool measurable(const Audit& a) { return a.finite() && a.indices_out_of_range == 0; }
 
@@ -45,7 +48,7 @@ void count_pairs(const Triangles& surface, Verdict& verdict) {
 
 Verdict judge(const std::string& file, const Inputs& inputs) {
   const Triangles surface = read_input(file, inputs);
-  Verdict verdict{file, audit(surface), nullptr};
+  Verdict verdict{file, surface.triangles.empty(), audit(surface), nullptr};
   if (!measurable(verdict.audit)) return verdict;
   verdict.measures = measured(surface);
   count_pairs(surface, verdict);
@@ -105,7 +108,9 @@ void print_table(const Verdict& v) {
               fmt::format("{}, {}", v.measures["vertices"].dump(), v.measures["triangles"].dump()));
     print_measures(v.measures, a);
   }
-  print_row("closed oriented manifold", a.closed_manifold() ? "yes" : "no: " + a.first);
+  print_row("closed oriented manifold", passes(v) ? "yes"
+                                        : v.empty ? "no: the mesh is empty, it has no triangle"
+                                                  : "no: " + a.first);
 }
 
 int check(const Settings& s) {
@@ -113,10 +118,12 @@ int check(const Settings& s) {
   nlohmann::json list = nlohmann::json::array();
   for (const std::string& file : s.inputs.files) {
     const Verdict verdict = judge(file, s.inputs);
-    all = all && verdict.audit.closed_manifold();
+    all = all && passes(verdict);
     if (s.json)
-      list.push_back(
-          {{"file", file}, {"audit", to_json(verdict.audit)}, {"measures", verdict.measures}});
+      list.push_back({{"file", file},
+                      {"empty", verdict.empty},
+                      {"audit", to_json(verdict.audit)},
+                      {"measures", verdict.measures}});
     else
       print_table(verdict);
   }

@@ -8,6 +8,7 @@
 #include "kernel/errors.h"
 #include "kernel/files.h"
 #include "kernel/measure/measures.h"
+#include "tests/kernel/folder.h"
 #include "tests/kernel/formats/samples.h"
 #include "tests/kernel/tiny.h"
 
@@ -115,4 +116,18 @@ TEST_CASE("missing, empty and unreadable files are refused by name") {
   CHECK_THROWS_WITH(read_text(folder, "p.obj", "v 0 0 0\n"),
                     Contains("empty") && Contains("0 faces"));
   CHECK_THROWS_WITH(read_text(folder, "p.off", "OFF 0 0 0\n"), Contains("empty"));
+}
+
+TEST_CASE("bodies that touch along an edge or a face, or do in 32 bits, are not written as STL") {
+  const TemporaryFolder folder;
+  for (const Point& shift : {Point(1, 0, 0), Point(1, 1, 0), Point(1 + 1e-12, 1, 0)}) {
+    Triangles other = cube(0, 1);
+    for (Point& p : other.positions) p += shift;
+    const Triangles both = joined(cube(0, 1), other);
+    CHECK_THROWS_WITH(write_triangles(folder / "both.stl", both),
+                      Contains("both.stl") && Contains("32 bits") && Contains("write PLY"));
+    CHECK_FALSE(std::filesystem::exists(folder / "both.stl"));
+    write_triangles(folder / "both.ply", both);
+    CHECK(read_triangles(folder / "both.ply") == both);
+  }
 }

@@ -139,11 +139,22 @@ TEST_CASE("a wall between two bodies goes, a pillow goes whole") {
   s.positions.push_back({-1, -1, -1});
   s.triangles.insert(s.triangles.end(), {{0, 1, 2}, {1, 0, 4}, {2, 1, 4}, {0, 2, 4}});
   CHECK(audit(s).non_manifold_edges == 3);
-  CHECK(repaired(s).duplicate_triangles == 2);
+  CHECK(repaired(s).cancelled_triangles == 2);
   CHECK(audit(s).closed_manifold());
   s = joined(tetrahedron(), {{{5, 0, 0}, {6, 0, 0}, {5, 1, 0}}, {{0, 1, 2}, {0, 2, 1}}});
-  CHECK(repaired(s).duplicate_triangles == 2);
+  CHECK(repaired(s).cancelled_triangles == 2);
   CHECK(same_bits(s, tetrahedron()));
+}
+
+TEST_CASE("a tetrahedron that is listed twice is repaired to one, and what was done is said") {
+  Triangles s = tetrahedron();
+  s.triangles.insert(s.triangles.end(), {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {0, 3, 2}});
+  CHECK(repaired(s).in_words() == std::vector<std::string>{"4 repeated triangles were dropped"});
+  CHECK(same_bits(s, tetrahedron()));
+  for (const Triangle& t : turned(s).triangles) s.triangles.push_back(t);
+  CHECK(repaired(s).in_words().front() ==
+        "8 triangles were dropped with all their copies, as they enclosed nothing");
+  CHECK_THROWS_WITH(require_usable(s, "s"), Contains("the mesh is empty"));
 }
 
 TEST_CASE("a vertex that joins fans is split") {

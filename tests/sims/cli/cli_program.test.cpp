@@ -289,6 +289,27 @@ TEST_CASE("check says no to an open surface with exit code 1, and 2 to what is n
   CHECK(suture_program("check").exit == 2);
 }
 
+TEST_CASE("a mesh that a repair leaves empty passes neither check nor resolve") {
+  const Folder folder;
+  const std::string corners = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\n";
+  const std::string body = "f 1 3 2\nf 1 2 4\nf 2 3 4\nf 1 4 3\n";
+  folder.write("twice.obj", corners + body + body);
+  folder.write("pillow.obj", corners + "f 1 2 3\nf 1 3 2\n");
+  CHECK(suture_program("check " + folder.name("twice.obj")).exit == 1);
+  const Said one = suture_program("check --repair --json " + folder.name("twice.obj"));
+  CHECK(one.exit == 0);
+  CHECK(json::parse(one.text.substr(one.text.find("[\n")))[0]["measures"]["triangles"] == 4);
+  const Said none = suture_program("check --repair " + folder.name("pillow.obj"));
+  CHECK(none.exit == 1);
+  CHECK_THAT(none.text, Contains("enclosed nothing") && Contains("the mesh is empty"));
+  CHECK(suture_program("check --repair --json " + folder.name("pillow.obj")).exit == 1);
+  const Said refused = suture_program("resolve --repair " + folder.name("pillow.obj") + " -o " +
+                                      folder.name("out.ply") + " --cells 10");
+  CHECK(refused.exit == 2);
+  CHECK_THAT(refused.text, Contains("the mesh is empty"));
+  CHECK(folder.files() == 2);
+}
+
 TEST_CASE("make writes a shape, and refuses what is no shape or no parameter") {
   const Folder folder;
   const std::string out = " -o " + folder.name("s.stl");
