@@ -38,19 +38,20 @@ Rounding::Rounding(const Triangles& surface, const Lattice& lattice)
 
 bool Rounding::reaches(const Index3& node) const {
   const Point at = lattice_.node(node), near = largest_near(node, lattice_);
-  if (nearest_.distance(at) <= reach_of(near)) return true;
-  for (const Triangle& t : surface_.triangles) {
+  const auto close = [&](const Triangle& t) {
     const Point &a = surface_.positions[t[0]], &b = surface_.positions[t[1]],
                 &c = surface_.positions[t[2]];
     const Point low = a.cwiseMin(b).cwiseMin(c), high = a.cwiseMax(b).cwiseMax(c);
     const Point largest = near.cwiseMax(low.cwiseAbs()).cwiseMax(high.cwiseAbs());
     const double reach = reach_of(largest);
-    if (((low - at).array() > reach).any() || ((at - high).array() > reach).any()) continue;
-    const double scale = std::exp2(-std::ilogb(largest.maxCoeff()));  // squares stay in range
-    const Point p = scale * a - scale * at, q = scale * b - scale * at, r = scale * c - scale * at;
-    if (distance_to_triangle(Point::Zero(), p, q, r) <= scale * reach) return true;
-  }
-  return false;
+    if (((low - at).array() > reach).any() || ((at - high).array() > reach).any()) return false;
+    // Seen from the node, at a scale at which squares stay in range, little is rounded away.
+    const double scale = std::exp2(-std::ilogb((high - low).maxCoeff() + reach));
+    const Point p = scale * (a - at), q = scale * (b - at), r = scale * (c - at);
+    return distance_to_triangle(Point::Zero(), p, q, r) <= scale * reach;
+  };
+  return close(surface_.triangles[nearest_.triangle(at)]) ||
+         std::any_of(surface_.triangles.begin(), surface_.triangles.end(), close);
 }
 
 }  // namespace suture::surgery
