@@ -27,8 +27,9 @@ std::string format_ply(const Triangles& surface);
 /// in the order of first use, equal ones welded, and those in no triangle are lost.
 std::string format_stl(const Triangles& surface);
 
-/// Refuses a closed manifold that is none once points are equal that round to the same floats, as
-/// STL's readers take them: bodies that touch along an edge or a face. `name` stands for the file.
+/// Refuses a closed manifold that is none once equal points are welded, or points that round to the
+/// same floats, as STL's readers do: bodies that touch along an edge or a face. Triangles that
+/// collapse in floats do not count, since such readers drop them. `name` stands for the file.
 /// \throw InvalidInput with the first fault that a reader would find, and what to do
 void require_apart_as_stl(const Triangles& surface, const std::string& name);
 

@@ -123,18 +123,36 @@ Triangles parse_stl(std::string_view bytes, const std::string& file) {
                      "; it is incomplete or damaged: fetch or export it again");
 }
 
-void require_apart_as_stl(const Triangles& surface, const std::string& name) {
-  if (!audit(surface).closed_manifold()) return;
-  Triangles read_back = surface;
-  for (Point& p : read_back.positions)
+namespace {
+
+/// The surface as a reader has it that rounds to floats, welds, and drops what has collapsed.
+Triangles as_floats(Triangles surface) {
+  for (Point& p : surface.positions)
     for (double& x : p)
       if (std::abs(x) <= std::numeric_limits<float>::max()) x = static_cast<float>(x);
-  const Audit result = audit(welded(std::move(read_back)));
-  if (result.closed_manifold()) return;
+  Triangles result = welded(std::move(surface));
+  std::erase_if(result.triangles,
+                [](const Triangle& t) { return t[0] == t[1] || t[1] == t[2] || t[2] == t[0]; });
+  return result;
+}
+
+/// The first fault of a surface, or nothing.
+std::string fault_of(const Triangles& surface) {
+  const Audit result = audit(surface);
+  return result.closed_manifold() ? "" : result.first;
+}
+
+}  // namespace
+
+void require_apart_as_stl(const Triangles& surface, const std::string& name) {
+  if (!fault_of(surface).empty()) return;
+  std::string fault = fault_of(welded(surface));
+  if (fault.empty()) fault = fault_of(as_floats(surface));
+  if (fault.empty()) return;
   throw InvalidInput(name +
-                     ": STL has no vertex indices, and readers that weld its points in 32 bits "
-                     "would find no closed manifold: " +
-                     result.first + "; nothing is written: write PLY, OBJ or OFF");
+                     ": STL has no vertex indices, and readers that weld its points, some in 32 "
+                     "bits, would find no closed manifold: " +
+                     fault + "; nothing is written: write PLY, OBJ or OFF");
 }
 
 std::string format_stl(const Triangles& surface) {
