@@ -1,6 +1,7 @@
 // Lines are cut by the body's own triangles only; the surfaces are asked at points of what is left.
 #include "kernel/measure/body_loss.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numeric>
 #include <optional>
@@ -44,12 +45,21 @@ int widest_axis(const Triangles& body) {
   return axis;
 }
 
-/// A grid across the body with 48 lines to the longer side, or nothing where it has no width.
-std::optional<LineGrid> grid_across(const Triangles& body, const Box& box) {
-  constexpr double kLines = 48;
+constexpr int kParts = 4;  // points on each stretch of a line
+
+/// The lines to the longer side of each body, so that all bodies together take some 50,000 points.
+double lines_for(const BodyChoice& choice) {
+  constexpr double kPoints = 50000, kLeast = 4;
+  const double share = kPoints / kParts / static_cast<double>(choice.which.size());
+  return std::clamp(std::floor(std::sqrt(share)), kLeast,
+                    std::max(kLeast, static_cast<double>(choice.most_lines)));
+}
+
+/// A grid across the body, or nothing where it has no width.
+std::optional<LineGrid> grid_across(const Triangles& body, const Box& box, double lines) {
   const int axis = widest_axis(body);
   const Point size = box.high - box.low;
-  const double spacing = std::max(size[(axis + 1) % 3], size[(axis + 2) % 3]) / kLines;
+  const double spacing = std::max(size[(axis + 1) % 3], size[(axis + 2) % 3]) / lines;
   if (!(spacing > 0) || !std::isfinite(spacing)) return std::nullopt;
   return grid_along(axis, box, spacing);
 }
@@ -62,7 +72,6 @@ struct Samples {
 
 /// The middles of four parts of each stretch on which the body's winding has the sign of `side`.
 Samples samples_in(const Triangles& body, const LineGrid& grid, int side) {
-  constexpr int kParts = 4;
   std::vector<LineCut> cuts;
   for (const Triangle& t : body.triangles) Cutter{body, grid, 0}.cut(t, cuts);
   sort_along(cuts);
@@ -99,23 +108,24 @@ class Inside {
 }  // namespace
 
 std::vector<BodyLoss> body_losses(const Triangles& before, const Triangles& after,
-                                  const std::vector<std::uint32_t>& which) {
-  if (which.empty()) return {};
+                                  const BodyChoice& choice) {
+  if (choice.which.empty()) return {};
+  const double lines = lines_for(choice);
   const std::vector<Triangles> bodies = bodies_of(before, components(before));
   const Inside was(before), is(after);
   std::vector<BodyLoss> losses;
-  for (const std::uint32_t c : which) {
+  for (const std::uint32_t c : choice.which) {
     const Box box = bounding_box(bodies[c].positions);
     BodyLoss& loss =
         losses.emplace_back(BodyLoss{c, volume(bodies[c]), 0, Point(box.low / 2 + box.high / 2)});
-    const std::optional<LineGrid> grid = grid_across(bodies[c], box);
+    const std::optional<LineGrid> grid = grid_across(bodies[c], box, lines);
     if (!grid) continue;
     const bool solid = loss.volume >= 0;
     const Samples samples = samples_in(bodies[c], *grid, solid ? 1 : -1);
     double lost = 0, all = 0;
     for (std::size_t i = 0; i < samples.points.size(); ++i) {
       all += samples.lengths[i];
-      if (was(samples.points[i]) == solid && is(samples.points[i]) != solid)
+      if (is(samples.points[i]) != solid && was(samples.points[i]) == solid)
         lost += samples.lengths[i];
     }
     loss.part = all > 0 ? lost / all : 0;
@@ -126,7 +136,7 @@ std::vector<BodyLoss> body_losses(const Triangles& before, const Triangles& afte
 std::vector<BodyLoss> body_losses(const Triangles& before, const Triangles& after) {
   std::vector<std::uint32_t> all(components(before).count);
   std::iota(all.begin(), all.end(), 0U);
-  return body_losses(before, after, all);
+  return body_losses(before, after, {std::move(all)});
 }
 
 }  // namespace suture

@@ -8,6 +8,7 @@ namespace suture::surgery {
 
 std::vector<VanishedBody> vanished_bodies(const BeforeAndAfter& surgery) {
   constexpr double kGone = 0.9;
+  constexpr int kLines = 6;  // some hundred points tell what is gone from what stays
   const auto& [before, after, vertex_map] = surgery;
   const Components bodies = components(before);
   std::vector<char> stays(bodies.count, 0);
@@ -18,7 +19,7 @@ std::vector<VanishedBody> vanished_bodies(const BeforeAndAfter& surgery) {
   for (std::uint32_t c = 0; c < bodies.count; ++c)
     if (stays[c] == 0) suspects.push_back(c);
   std::vector<VanishedBody> vanished;
-  for (const BodyLoss& loss : body_losses(before, after, suspects))
+  for (const BodyLoss& loss : body_losses(before, after, {std::move(suspects), kLines}))
     if (loss.part > kGone) vanished.push_back({loss.volume, loss.centre});
   return vanished;
 }

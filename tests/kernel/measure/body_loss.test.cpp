@@ -64,9 +64,22 @@ TEST_CASE("what another body covers is not lost, and a cavity loses what is fill
 TEST_CASE("only the components that are named are measured, in that order") {
   const Triangles before =
       merged(std::vector<Triangles>{ball_at(0, 1), ball_at(5, 1), ball_at(10, 1)});
-  const std::vector<BodyLoss> losses = body_losses(before, ball_at(5, 1), {2, 1});
+  const std::vector<BodyLoss> losses = body_losses(before, ball_at(5, 1), {{2, 1}});
   REQUIRE(losses.size() == 2);
   CHECK((losses[0].component == 2 && losses[0].part == 1));
   CHECK((losses[1].component == 1 && losses[1].part == 0));
-  CHECK(body_losses(before, before, {}).empty());
+  CHECK(body_losses(before, before, BodyChoice{}).empty());
+}
+
+TEST_CASE("among many bodies the lost ones are still told from those that stay") {
+  std::vector<Triangles> all, left;
+  for (int i = 0; i < 900; ++i) {
+    all.push_back(translated(sphere({.radius = 0.4, .frequency = 2}), {1.0 * i, 0, 0}));
+    if (i % 3 != 0) left.push_back(all.back());
+  }
+  const std::vector<BodyLoss> losses = body_losses(merged(all), merged(left));
+  REQUIRE(losses.size() == 900);
+  std::size_t wrong = 0;
+  for (std::size_t i = 0; i < losses.size(); ++i) wrong += losses[i].part != (i % 3 == 0 ? 1 : 0);
+  CHECK(wrong == 0);
 }
